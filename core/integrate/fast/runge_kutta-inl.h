@@ -1,0 +1,170 @@
+// Compiled once for each SIMD target: included by files that go through hwy/foreach_target.h.
+//
+// One step of the Runge–Kutta method for a group of lanes, each with its own step length. Tangents
+// are advanced in the same stages as their orbit; the error estimate looks at the orbit alone.
+#if defined(CELT_FAST_RUNGE_KUTTA_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CELT_FAST_RUNGE_KUTTA_INL_H_
+#undef CELT_FAST_RUNGE_KUTTA_INL_H_
+#else
+#define CELT_FAST_RUNGE_KUTTA_INL_H_
+#endif
+
+#include <algorithm>
+#include <type_traits>
+
+#include "core/integrate/fast/pack-inl.h"
+#include "core/integrate/fast/stone_rate-inl.h"
+#include "core/integrate/fast/verner9.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace celt::fast::HWY_NAMESPACE {
+
+/// How a group of orbits lies in vectors. A state is five components of the orbit, then those of
+/// the tangents; each component holds a number for every orbit. With many orbits there are three
+/// tangent vectors after each other; a single orbit has its three side by side in the lanes of one.
+template <class OrbitVector, class TangentVector, int kTangentVectors>
+struct Layout {
+  using Orbit = OrbitVector;
+  using Tangent = TangentVector;
+  static constexpr int kTangents = kTangentVectors;
+  static constexpr bool kAlike = std::is_same_v<Orbit, Tangent>;
+  static constexpr int kOrbits = kLanes<Orbit>;
+  static constexpr int kTangentLanes = kLanes<Tangent>;
+  static constexpr int kOrbitSize = kComponents * kOrbits;
+  /// Where tangents begin: a multiple of their vectors' length.
+  static constexpr int kTangentStart =
+      (kOrbitSize + kTangentLanes - 1) / kTangentLanes * kTangentLanes;
+  static constexpr int kSize = kTangentStart + kTangents * kComponents * kTangentLanes;
+};
+
+/// The states of a group with their times, or their rates with those of time.
+template <class Layout>
+struct States {
+  HWY_ALIGN double values[Layout::kSize];
+  HWY_ALIGN double time[Layout::kOrbits];
+};
+
+/// What a step leaves: the new states, the error estimate, the orbit half-way, and the
+/// stages.
+template <class Layout>
+struct StepResult {
+  States<Layout> end;
+  HWY_ALIGN double error[Layout::kOrbitSize];
+  HWY_ALIGN double middle[Layout::kOrbitSize];
+  States<Layout> stages[kStages];
+};
+
+/// The stage whose state is taken as the orbit half-way: c = 0.48375.
+inline constexpr int kMiddleStage = 8;
+
+/// A row of the method's table.
+struct Row {
+  const Coefficient* first;
+  const Coefficient* last;
+  const Coefficient* begin() const { return first; }
+  const Coefficient* end() const { return last; }
+};
+
+/// Row of stage i; then the solution's and the error's.
+HWY_INLINE Row RowAt(int i) { return {kCoefficients + kRow[i], kCoefficients + kRow[i + 1]}; }
+
+/// The components from `base` on: sum[i] = base + Σ coefficient · stage.
+template <class Layout, class V>
+HWY_INLINE void Combine(Row row, const double* HWY_RESTRICT base, const double* HWY_RESTRICT stages,
+                        V* HWY_RESTRICT sum) {
+  constexpr int kStride = static_cast<int>(sizeof(States<Layout>) / sizeof(double));
+#pragma GCC unroll 5
+  for (int i = 0; i < kComponents; ++i) sum[i] = Load<V>(base + i * kLanes<V>);
+  for (const Coefficient* c = row.first; c != row.last; ++c) {
+    const V factor = Set<V>(c->value);
+    const double* HWY_RESTRICT stage = stages + c->stage * kStride;
+#pragma GCC unroll 5
+    for (int i = 0; i < kComponents; ++i)
+      sum[i] = Fma(factor, Load<V>(stage + i * kLanes<V>), sum[i]);
+  }
+}
+
+template <class V>
+HWY_INLINE void LoadAll(const double* HWY_RESTRICT from, V* HWY_RESTRICT v) {
+#pragma GCC unroll 5
+  for (int i = 0; i < kComponents; ++i) v[i] = Load<V>(from + i * kLanes<V>);
+}
+
+template <class V>
+HWY_INLINE void StoreAll(const V* HWY_RESTRICT v, double* HWY_RESTRICT to) {
+#pragma GCC unroll 5
+  for (int i = 0; i < kComponents; ++i) Store(v[i], to + i * kLanes<V>);
+}
+
+/// The sums of a row for all of a group.
+template <class Layout>
+HWY_INLINE void CombineAll(Row row, const States<Layout>& base, const States<Layout>* stages,
+                           double* HWY_RESTRICT out) {
+  typename Layout::Orbit x[kComponents];
+  Combine<Layout>(row, base.values, stages->values, x);
+  StoreAll(x, out);
+#pragma GCC unroll 3
+  for (int j = 0; j < Layout::kTangents; ++j) {
+    const int at = Layout::kTangentStart + j * kComponents * Layout::kTangentLanes;
+    typename Layout::Tangent v[kComponents];
+    Combine<Layout>(row, base.values + at, stages->values + at, v);
+    StoreAll(v, out + at);
+  }
+}
+
+/// A stage: the state that its row gives, and the rate there. Returns the orbit's part of the state
+/// in `x`.
+template <class Layout>
+HWY_INLINE void EvaluateStage(const StoneConstants& constants,
+                              const Stride<typename Layout::Orbit>& stride,
+                              const States<Layout>& start, States<Layout>* stages, int stage,
+                              typename Layout::Orbit* x) {
+  using V = typename Layout::Orbit;
+  using T = typename Layout::Tangent;
+  double* HWY_RESTRICT const out = stages[stage].values;
+  Combine<Layout>(RowAt(stage), start.values, stages->values, x);
+  V rate[kComponents], time;
+  constexpr bool kWithTangents = Layout::kTangents > 0;
+  Linearization<V> linear;
+  Rate<kWithTangents>(constants, stride, x, rate, time, linear);
+  StoreAll(rate, out);
+  Store(time, stages[stage].time);
+  if constexpr (kWithTangents) {
+#pragma GCC unroll 3
+    for (int j = 0; j < Layout::kTangents; ++j) {
+      const int at = Layout::kTangentStart + j * kComponents * Layout::kTangentLanes;
+      T v[kComponents], v_rate[kComponents];
+      Combine<Layout>(RowAt(stage), start.values + at, stages->values + at, v);
+      TangentRate(linear, v, v_rate);
+      StoreAll(v_rate, out + at);
+    }
+  }
+}
+
+template <class Layout>
+HWY_NOINLINE void Step(const StoneConstants& constants,
+                       const Stride<typename Layout::Orbit>& stride, const States<Layout>& start,
+                       StepResult<Layout>& result) {
+  using V = typename Layout::Orbit;
+  States<Layout>* const stages = result.stages;
+  V x[kComponents];
+  for (int stage = 0; stage < kStages; ++stage) {
+    EvaluateStage(constants, stride, start, stages, stage, x);
+    if (stage == kMiddleStage) StoreAll(x, result.middle);
+  }
+
+  CombineAll(RowAt(kStages), start, stages, result.end.values);
+  V time = Load<V>(start.time);
+  for (const Coefficient& c : RowAt(kStages))
+    time = Fma(Set<V>(c.value), Load<V>(stages[c.stage].time), time);
+  Store(time, result.end.time);
+  HWY_ALIGN static constexpr double kZero[Layout::kOrbitSize] = {};
+  Combine<Layout>(RowAt(kStages + 1), kZero, stages->values, x);
+  StoreAll(x, result.error);
+}
+
+}  // namespace celt::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // CELT_FAST_RUNGE_KUTTA_INL_H_
