@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/map/system.h"
+
+namespace celt {
+
+/// The three-dimensional Hénon map of Gonchenko, Ovsyannikov, Simó & Turaev (2005), coordinates x,
+/// y, z:
+///
+///     x̄ = y,   ȳ = z,   z̄ = m1 + b x + m2 y + a z − z²,      det D = b.
+///
+/// Invertible for b ≠ 0. An orbit that leaves |z| ≤ 10⁶ escapes to infinity: OUT_OF_RANGE.
+const System& Henon3dSystem();
+
+}  // namespace celt
