@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
+#include "grpcpp/channel.h"
+#include "grpcpp/server.h"
+#include "server/api/celt_service.h"
+#include "server/jobs/data_dir.h"
+#include "server/jobs/scheduler.h"
+#include "server/jobs/sqlite_store.h"
+
+namespace celt::host {
+
+struct HostOptions {
+  std::string
+      data_dir;     ///< made if there is none, held by this host alone; empty: jobs live in memory
+  int workers = 0;  ///< threads that compute; 0: as many as there are cores
+  std::string listen;  ///< "host:port", port 0 for a free one; empty: in-process channels only
+  /// Told of trouble that no client is told of.
+  std::function<void(std::string_view job, const absl::Status& error)> on_error =
+      [](std::string_view, const absl::Status&) {};
+};
+
+/// The whole service in this process: store, scheduler, gRPC server with health and reflection.
+/// Safe to use from many threads.
+class Host {
+ public:
+  /// Goes on with the unfinished jobs of the data directory. FAILED_PRECONDITION: another server
+  /// has the directory, a file in it is not ours, or nothing can listen at the address.
+  static absl::StatusOr<std::unique_ptr<Host>> Start(HostOptions options);
+  /// Drains at once, without patience.
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// Where it listens, with the port that it got; empty when it doesn't.
+  const std::string& address() const { return address_; }
+  std::shared_ptr<grpc::Channel> InProcessChannel();
+
+  /// Goes down in order: tells health checks, takes no more jobs, stops computing with everything
+  /// committed kept, ends streams with UNAVAILABLE, and gives calls that are under way until
+  /// `patience` is over. Idempotent.
+  void Drain(absl::Duration patience);
+
+ private:
+  Host() = default;
+  absl::Status OpenStore(const HostOptions& options);
+  absl::Status StartServer(const std::string& listen);
+
+  // In the order of construction: each uses those before it.
+  std::optional<jobs::DataDir> data_dir_;
+  std::unique_ptr<jobs::SqliteStore> store_;
+  std::unique_ptr<jobs::Scheduler> scheduler_;
+  std::unique_ptr<api::CeltService> service_;
+  std::unique_ptr<grpc::Server> server_;
+  std::string address_;
+  std::once_flag drained_;
+};
+
+}  // namespace celt::host

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "absl/status/statusor.h"
+
+namespace celt::jobs {
+
+/// Where the next page of a list of jobs begins. Opaque to clients.
+struct PageToken {
+  std::int64_t before_serial = 0;  ///< jobs with smaller serial numbers follow
+  std::uint32_t states = 0;  ///< the filter, one bit a state; a token is only good for its own
+};
+
+std::string Encode(const PageToken& token);
+/// INVALID_ARGUMENT: not a token of ours.
+absl::StatusOr<PageToken> DecodePageToken(std::string_view text);
+
+}  // namespace celt::jobs

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "absl/status/status.h"
+#include "absl/status/statusor.h"
+#include "absl/time/clock.h"
+#include "absl/time/time.h"
+#include "server/jobs/notifier.h"
+#include "server/jobs/plan.h"
+#include "server/jobs/store.h"
+
+namespace celt::jobs {
+
+/// Twelve letters and digits at random: nobody guesses another's job.
+std::string RandomJobId();
+
+struct SchedulerOptions {
+  int workers = 0;              ///< threads that compute; 0: as many as there are cores
+  std::int64_t run_ahead = 64;  ///< units of a job that may be done before they can be folded
+  std::function<absl::Time()> clock = absl::Now;
+  std::function<std::string()> new_id = RandomJobId;
+  /// Told of a store that fails to take what was computed (it is tried again until it does), and of
+  /// a job that could not be gone on with.
+  std::function<void(std::string_view job, const absl::Status& error)> on_error =
+      [](std::string_view, const absl::Status&) {};
+  absl::Duration store_retry = absl::Seconds(1);  ///< pause before a failed commit is tried again
+};
+
+/// Runs jobs on a pool of threads. Units of different jobs take turns; within a job the lowest
+/// ready unit in the plan's order goes first. Payloads are folded in the plan's order and committed
+/// with their unit, so that records and result do not depend on threads or interruptions. Safe to
+/// use from many threads.
+///
+/// A job whose unit fails becomes FAILED once everything before that unit is folded; which unit's
+/// error it shows, and its records, are therefore always the same.
+class Scheduler {
+ public:
+  /// `store` must outlive this.
+  Scheduler(JobStore& store, PlanFactory factory, SchedulerOptions options);
+  /// Shuts down.
+  ~Scheduler();
+  Scheduler(const Scheduler&) = delete;
+  Scheduler& operator=(const Scheduler&) = delete;
+
+  /// Goes on with the jobs in the store that have not ended, and starts the threads. Once, before
+  /// the first Submit.
+  absl::Status Start();
+  /// Stops, inside running units too, and joins the threads. Nothing that was committed is lost:
+  /// unfinished jobs stay so in the store and go on at the next start. Idempotent.
+  void Shutdown();
+
+  /// Accepts a job; its plan is made first, so that a wrong specification is refused with the
+  /// factory's error. `request_id` as in JobStore::Create. UNAVAILABLE once Shutdown has begun.
+  absl::StatusOr<Job> Submit(std::string_view specification, std::string_view request_id);
+  /// Asks the job to stop and returns it as it is now: CANCELLED already when no unit of it was
+  /// running.
+  absl::StatusOr<Job> Cancel(std::string_view id);
+  /// Removes the job from the store at once, and stops it if it runs.
+  absl::Status Delete(std::string_view id);
+
+  /// Tells of new records, states and progress, and of removal.
+  Notifier& notifier() { return notifier_; }
+  int workers() const { return workers_; }
+
+ private:
+  struct ActiveJob;
+  struct Task;
+  using JobPointer = std::shared_ptr<ActiveJob>;
+
+  absl::Status Resume(const Job& job);
+  void Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress);
+
+  void Work();
+  bool TakeTask(Task& task);
+  void List(const JobPointer& job);
+  void RunTask(const Task& task);
+  void CommitUnit(const Task& task, UnitOutput output);
+  void FailUnit(const Task& task, const absl::Status& error);
+  bool ClaimClosing(ActiveJob& job) const;
+  void Settle(const JobPointer& job);
+
+  void Close(const JobPointer& job);
+  absl::Status End(ActiveJob& job);
+  void Forget(const JobPointer& job);
+  absl::Status Persist(ActiveJob& job, const std::function<absl::Status()>& write);
+
+  JobStore& store_;
+  const PlanFactory factory_;
+  const SchedulerOptions options_;
+  const int workers_;
+  Notifier notifier_;
+
+  std::atomic<bool> stopping_ = false;
+  std::mutex mutex_;
+  std::condition_variable listed_or_stopping_;  // what workers wait for
+  std::condition_variable give_up_;  // what a pause before trying the store again waits for
+  std::map<std::string, JobPointer, std::less<>> active_;  // under mutex_
+  std::deque<JobPointer> listed_;     // jobs with a ready unit, by turns; under mutex_
+  std::vector<std::thread> threads_;  // under shutdown_mutex_
+  std::mutex shutdown_mutex_;
+};
+
+}  // namespace celt::jobs

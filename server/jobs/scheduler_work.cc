@@ -1,0 +1,164 @@
+// The part of the scheduler that its threads run: take a unit, run it, commit it, end the job after
+// the last.
+
+#include <utility>
+
+#include "server/jobs/active_job.h"
+#include "server/jobs/scheduler.h"
+#include "server/jobs/status_macros.h"
+
+namespace celt::jobs {
+namespace {
+
+/// Errors of a store after which trying again is pointless: the job is gone or has ended, or its
+/// data are.
+bool IsFinal(const absl::Status& error) {
+  return absl::IsNotFound(error) || absl::IsFailedPrecondition(error) || absl::IsDataLoss(error);
+}
+
+}  // namespace
+
+void Scheduler::Work() {
+  Task task;
+  while (TakeTask(task)) {
+    RunTask(task);
+    Settle(task.job);
+    task = Task();
+  }
+}
+
+/// Puts a job with a ready unit at the end of the line. Under mutex_.
+void Scheduler::List(const JobPointer& job) {
+  if (job->listed || job->stop || job->closing || !job->queue.HasReady()) return;
+  job->listed = true;
+  listed_.push_back(job);
+  listed_or_stopping_.notify_one();
+}
+
+/// Waits for a unit; false when it is time to stop.
+bool Scheduler::TakeTask(Task& task) {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    listed_or_stopping_.wait(lock, [this] { return stopping_ || !listed_.empty(); });
+    if (stopping_) return false;
+    const JobPointer job = std::move(listed_.front());
+    listed_.pop_front();
+    job->listed = false;
+    if (job->stop || job->closing || !job->queue.HasReady()) continue;
+    task.position = job->queue.Take();
+    task.first = !std::exchange(job->started, true);
+    ++job->running;
+    List(job);
+    task.job = job;
+    return true;
+  }
+}
+
+void Scheduler::RunTask(const Task& task) {
+  ActiveJob& job = *task.job;
+  if (task.first) {
+    const absl::Status marked =
+        Persist(job, [&] { return store_.MarkStarted(job.id, options_.clock()); });
+    if (!marked.ok()) return;
+    notifier_.Notify(job.id);
+  }
+  const StopRequested stop = [&] { return stopping_ || job.stop; };
+  absl::StatusOr<UnitOutput> output = job.plan->Run(task.unit(), task.position.checkpoint, stop);
+  if (output.ok()) return CommitUnit(task, *std::move(output));
+  // Interrupted: the unit will be run again at the next start, unless the job is cancelled.
+  if (absl::IsCancelled(output.status()) && stop()) return;
+  FailUnit(task, output.status());
+}
+
+void Scheduler::CommitUnit(const Task& task, UnitOutput output) {
+  ActiveJob& job = *task.job;
+  std::unique_lock fold_lock(job.fold_mutex);
+  if (job.lost || job.stop) return;
+  absl::StatusOr<UnitCommit> commit = job.fold.Add(task.position, std::move(output));
+  if (!commit.ok()) {
+    job.lost = true;
+    return FailUnit(task, commit.status());
+  }
+  if (!Persist(job, [&] { return store_.Commit(job.id, *commit); }).ok()) {
+    job.lost = true;
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    job.queue.Done(std::move(commit->position), commit->fold_next, commit->folded);
+    List(task.job);
+  }
+  fold_lock.unlock();
+  notifier_.Notify(job.id);
+}
+
+void Scheduler::FailUnit(const Task& task, const absl::Status& error) {
+  const std::lock_guard lock(mutex_);
+  task.job->queue.Failed(task.unit(), error);
+}
+
+/// Tries until the store takes it. Fails when that is hopeless or there is no more time, and then
+/// the job's units are told to stop: the store keeps it as it was.
+absl::Status Scheduler::Persist(ActiveJob& job, const std::function<absl::Status()>& write) {
+  for (;;) {
+    absl::Status status = write();
+    if (status.ok()) return status;
+    if (!absl::IsNotFound(status)) options_.on_error(job.id, status);
+    std::unique_lock lock(mutex_);
+    const auto give_up = [&] { return stopping_ || job.cancelled; };
+    if (IsFinal(status) ||
+        give_up_.wait_for(lock, absl::ToChronoMilliseconds(options_.store_retry), give_up)) {
+      job.stop = true;
+      return status;
+    }
+  }
+}
+
+/// Whether it is time to end the job, and for the caller to do so. Under mutex_.
+bool Scheduler::ClaimClosing(ActiveJob& job) const {
+  if (job.running > 0 || job.closing) return false;
+  job.closing = job.stop || job.queue.Complete() || job.queue.failure().has_value();
+  return job.closing;
+}
+
+/// After a task of the job, whatever came of it.
+void Scheduler::Settle(const JobPointer& job) {
+  bool close = false;
+  {
+    const std::lock_guard lock(mutex_);
+    --job->running;
+    // What comes after the failed unit is of no use to anybody.
+    if (job->queue.failure()) job->stop = true;
+    close = ClaimClosing(*job);
+  }
+  if (close) Close(job);
+}
+
+void Scheduler::Close(const JobPointer& job) {
+  Persist(*job, [&] { return End(*job); }).IgnoreError();
+  {
+    const std::lock_guard lock(mutex_);
+    active_.erase(job->id);
+  }
+  notifier_.Notify(job->id);
+}
+
+absl::Status Scheduler::End(ActiveJob& job) {
+  JobState state = JobState::kCancelled;
+  absl::Status error;
+  std::string result;
+  if (const std::optional<absl::Status> failure = job.queue.failure(); failure) {
+    state = JobState::kFailed;
+    error = *failure;
+  } else if (job.queue.Complete()) {
+    absl::StatusOr<std::string> finished = job.plan->Finish(job.fold.state());
+    state = finished.ok() ? JobState::kSucceeded : JobState::kFailed;
+    error = finished.status();
+    result = finished.value_or("");
+  } else if (!job.cancelled) {
+    return absl::OkStatus();  // Lost for this run: the store keeps it unfinished.
+  }
+  return store_.MarkEnded(job.id, state, error, result, options_.clock());
+}
+
+}  // namespace celt::jobs

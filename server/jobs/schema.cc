@@ -1,0 +1,121 @@
+#include "server/jobs/schema.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "absl/strings/str_cat.h"
+#include "server/jobs/status_macros.h"
+
+namespace celt::jobs {
+namespace {
+
+/// "CELT", in the field of SQLite's header that tells whose file it is.
+constexpr std::int64_t kApplicationId = 0x43454c54;
+
+/// Each entry leads from the schema of its index to the next. Never change one that was released:
+/// append.
+constexpr std::array<const char*, 1> kMigrations = {R"sql(
+  CREATE TABLE jobs (
+    serial INTEGER PRIMARY KEY AUTOINCREMENT,  -- the order of creation
+    id TEXT NOT NULL UNIQUE,
+    request_id TEXT UNIQUE,
+    specification BLOB NOT NULL,
+    state INTEGER NOT NULL,
+    work_done REAL NOT NULL,
+    work_total REAL NOT NULL,
+    work_unit TEXT NOT NULL,
+    last_sequence INTEGER NOT NULL,
+    error_code INTEGER NOT NULL,
+    error_message TEXT NOT NULL,
+    result BLOB NOT NULL,
+    created INTEGER NOT NULL,  -- times in nanoseconds since 1970
+    started INTEGER,
+    ended INTEGER
+  );
+  CREATE INDEX jobs_by_state ON jobs (state, serial);
+  CREATE TABLE folds (
+    job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
+    state BLOB NOT NULL,
+    next_step INTEGER NOT NULL,
+    next_chain INTEGER NOT NULL
+  );
+  CREATE TABLE chains (
+    job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    chain INTEGER NOT NULL,
+    next_step INTEGER NOT NULL,
+    ended INTEGER NOT NULL,
+    checkpoint BLOB NOT NULL,
+    PRIMARY KEY (job, chain)
+  ) WITHOUT ROWID;
+  CREATE TABLE payloads (
+    job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    step INTEGER NOT NULL,
+    chain INTEGER NOT NULL,
+    payload BLOB NOT NULL,
+    PRIMARY KEY (job, step, chain)
+  ) WITHOUT ROWID;
+  CREATE TABLE records (
+    job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    sequence INTEGER NOT NULL,
+    bytes BLOB NOT NULL,
+    PRIMARY KEY (job, sequence)
+  ) WITHOUT ROWID;
+)sql"};
+constexpr std::int64_t kSchema = kMigrations.size();
+
+absl::Status Refuse(const Database& database, std::string_view why) {
+  return absl::FailedPreconditionError(
+      absl::StrCat("job store ", database.path(), ": ", std::string(why)));
+}
+
+/// A file of ours, or one in which nothing is.
+absl::Status CheckOwner(Database& database) {
+  CELT_ASSIGN_OR_RETURN(const std::int64_t owner, database.QueryInt("PRAGMA application_id", {}));
+  if (owner == kApplicationId) return absl::OkStatus();
+  CELT_ASSIGN_OR_RETURN(const std::int64_t tables,
+                        database.QueryInt("SELECT count(*) FROM sqlite_schema", {}));
+  if (owner == 0 && tables == 0) return absl::OkStatus();
+  return Refuse(database, "the file is a database of another program");
+}
+
+absl::Status CheckIntegrity(Database& database) {
+  std::string verdict;
+  CELT_RETURN_IF_ERROR(database.Query("PRAGMA quick_check(1)", {}, [&](const Row& row) {
+    verdict = row.Bytes(0);
+    return false;
+  }));
+  if (verdict == "ok") return absl::OkStatus();
+  return absl::DataLossError(
+      absl::StrCat("job store ", database.path(), ": the file is corrupt: ", verdict));
+}
+
+absl::Status Migrate(Database& database, std::int64_t from) {
+  Transaction transaction(database);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  for (std::int64_t schema = from; schema < kSchema; ++schema) {
+    CELT_RETURN_IF_ERROR(database.Execute(kMigrations[schema]));
+  }
+  CELT_RETURN_IF_ERROR(database.Execute(absl::StrCat("PRAGMA application_id = ", kApplicationId,
+                                                     "; PRAGMA user_version = ", kSchema)));
+  return transaction.Commit();
+}
+
+}  // namespace
+
+absl::Status PrepareSchema(Database& database) {
+  CELT_RETURN_IF_ERROR(CheckOwner(database));
+  CELT_ASSIGN_OR_RETURN(const std::int64_t schema, database.QueryInt("PRAGMA user_version", {}));
+  if (schema > kSchema) {
+    return Refuse(database, absl::StrCat("written by a newer celt (schema ", schema,
+                                         ", this program knows ", kSchema, ")"));
+  }
+  CELT_RETURN_IF_ERROR(CheckIntegrity(database));
+  // WAL with NORMAL: a commit survives the death of the process, and the file stays sound in a
+  // power cut, which may take the last commits with it.
+  CELT_RETURN_IF_ERROR(database.Execute(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON;"));
+  return schema < kSchema ? Migrate(database, schema) : absl::OkStatus();
+}
+
+}  // namespace celt::jobs

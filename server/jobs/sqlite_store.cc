@@ -1,0 +1,162 @@
+#include "server/jobs/sqlite_store.h"
+
+#include <limits>
+#include <utility>
+
+#include "absl/strings/str_cat.h"
+#include "server/jobs/job_rows.h"
+#include "server/jobs/page_token.h"
+#include "server/jobs/progress_rows.h"
+#include "server/jobs/schema.h"
+#include "server/jobs/status_macros.h"
+
+namespace celt::jobs {
+namespace {
+
+std::uint32_t StateBits(const JobFilter& filter) {
+  std::uint32_t bits = 0;
+  for (const JobState state : filter.states) bits |= 1U << static_cast<unsigned>(state);
+  return bits;
+}
+
+absl::StatusOr<PageToken> FirstOrNext(const JobFilter& filter, std::string_view text) {
+  const std::uint32_t states = StateBits(filter);
+  if (text.empty()) return PageToken{std::numeric_limits<std::int64_t>::max(), states};
+  CELT_ASSIGN_OR_RETURN(const PageToken token, DecodePageToken(text));
+  if (token.states == states) return token;
+  return absl::InvalidArgumentError("page_token: given for another filter of states");
+}
+
+absl::Status HasEndedError(std::string_view id) {
+  return absl::FailedPreconditionError(absl::StrCat("job ", std::string(id), " has ended"));
+}
+
+}  // namespace
+
+absl::StatusOr<std::unique_ptr<SqliteStore>> SqliteStore::Open(const std::string& path) {
+  CELT_ASSIGN_OR_RETURN(std::unique_ptr<Database> database, Database::Open(path));
+  CELT_RETURN_IF_ERROR(PrepareSchema(*database));
+  return std::unique_ptr<SqliteStore>(new SqliteStore(std::move(database)));
+}
+
+absl::StatusOr<Job> SqliteStore::Create(const Job& job) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(*database_);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  CELT_ASSIGN_OR_RETURN(const std::optional<Job> earlier, FindRequest(*database_, job.request_id));
+  if (earlier && earlier->specification == job.specification) return *earlier;
+  if (earlier) {
+    return absl::AlreadyExistsError(absl::StrCat("request_id: ", job.request_id,
+                                                 " was used for another specification, by job ",
+                                                 earlier->id));
+  }
+  CELT_RETURN_IF_ERROR(InsertJob(*database_, job));
+  CELT_RETURN_IF_ERROR(transaction.Commit());
+  return job;
+}
+
+absl::StatusOr<Job> SqliteStore::Get(std::string_view id) const {
+  const std::lock_guard lock(mutex_);
+  CELT_ASSIGN_OR_RETURN(JobRow row, FindJob(*database_, id));
+  return std::move(row.job);
+}
+
+absl::StatusOr<JobPage> SqliteStore::List(const JobFilter& filter, int page_size,
+                                          std::string_view page_token) const {
+  CELT_ASSIGN_OR_RETURN(const PageToken from, FirstOrNext(filter, page_token));
+  const std::lock_guard lock(mutex_);
+  JobPage page;
+  std::int64_t last = 0;
+  // One row more than asked for tells whether there is a next page.
+  CELT_RETURN_IF_ERROR(
+      database_->Query("SELECT " CELT_JOB_COLUMNS
+                       " FROM jobs WHERE serial < ?1 AND (?2 = 0 OR (?2 >> state) & 1) "
+                       "ORDER BY serial DESC LIMIT ?3",
+                       {from.before_serial, std::int64_t{from.states}, std::int64_t{page_size} + 1},
+                       [&](const Row& row) {
+                         JobRow job = ToJobRow(row);
+                         if (std::ssize(page.jobs) == page_size) {
+                           page.next_page_token = Encode(PageToken{last, from.states});
+                           return false;
+                         }
+                         last = job.serial;
+                         page.jobs.push_back(std::move(job.job));
+                         return true;
+                       }));
+  return page;
+}
+
+absl::StatusOr<std::vector<Job>> SqliteStore::Unfinished() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Job> jobs;
+  CELT_RETURN_IF_ERROR(database_->Query("SELECT " CELT_JOB_COLUMNS
+                                        " FROM jobs WHERE state IN (1, 2) ORDER BY serial",
+                                        {}, [&](const Row& row) {
+                                          jobs.push_back(ToJobRow(row).job);
+                                          return true;
+                                        }));
+  return jobs;
+}
+
+absl::Status SqliteStore::Delete(std::string_view id) {
+  const std::lock_guard lock(mutex_);
+  CELT_RETURN_IF_ERROR(database_->Run("DELETE FROM jobs WHERE id = ?", {id}));
+  if (database_->Changes() > 0) return absl::OkStatus();
+  return absl::NotFoundError(absl::StrCat("id: there is no job ", std::string(id)));
+}
+
+absl::Status SqliteStore::MarkStarted(std::string_view id, absl::Time now) {
+  const std::lock_guard lock(mutex_);
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  if (row.job.state != JobState::kQueued) return absl::OkStatus();
+  return database_->Run("UPDATE jobs SET state = 2, started = ? WHERE serial = ?",
+                        {ToNanos(now), row.serial});
+}
+
+absl::Status SqliteStore::MarkEnded(std::string_view id, JobState state, const absl::Status& error,
+                                    std::string_view result, absl::Time now) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(*database_);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  if (HasEnded(row.job.state)) return HasEndedError(id);
+  const std::string message(error.message());
+  CELT_RETURN_IF_ERROR(database_->Run(
+      "UPDATE jobs SET state = ?, error_code = ?, error_message = ?, result = ?, ended = ? "
+      "WHERE serial = ?",
+      {static_cast<std::int64_t>(state), static_cast<std::int64_t>(error.code()),
+       std::string_view(message), Blob{result}, ToNanos(now), row.serial}));
+  CELT_RETURN_IF_ERROR(DeleteProgress(*database_, row.serial));
+  return transaction.Commit();
+}
+
+absl::Status SqliteStore::Commit(std::string_view id, const UnitCommit& commit) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(*database_);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  if (HasEnded(row.job.state)) return HasEndedError(id);
+  CELT_RETURN_IF_ERROR(WriteProgress(*database_, row.serial, commit));
+  CELT_RETURN_IF_ERROR(
+      AppendRecords(*database_, row.serial, row.job.last_sequence, commit.records));
+  CELT_RETURN_IF_ERROR(database_->Run(
+      "UPDATE jobs SET work_done = ?, last_sequence = last_sequence + ? WHERE serial = ?",
+      {commit.work_done, std::ssize(commit.records), row.serial}));
+  return transaction.Commit();
+}
+
+absl::StatusOr<Progress> SqliteStore::LoadProgress(std::string_view id) const {
+  const std::lock_guard lock(mutex_);
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  return ReadProgress(*database_, row.serial);
+}
+
+absl::StatusOr<std::vector<StoredRecord>> SqliteStore::Records(std::string_view id,
+                                                               std::int64_t after,
+                                                               std::size_t max_bytes) const {
+  const std::lock_guard lock(mutex_);
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  return ReadRecords(*database_, row.serial, after, max_bytes);
+}
+
+}  // namespace celt::jobs
