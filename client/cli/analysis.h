@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "CLI/App.hpp"
+#include "absl/status/status.h"
+#include "celt/v1/job.pb.h"
+
+namespace celt::cli {
+
+/// A row of a csv table: names of the columns with the cells.
+using CsvRow = std::vector<std::pair<std::string, std::string>>;
+
+/// A command that computes. A new one is a file that defines one of these and a line in
+/// analyses.cc; submitting, streaming, progress, interruption and JSON are the same for all.
+class Analysis {
+ public:
+  virtual ~Analysis() = default;
+
+  /// Of the command, such as "fixed-point".
+  virtual std::string command() const = 0;
+  /// Of the fields in JobSpec, Record and Result, such as "fixed_point".
+  virtual std::string field() const = 0;
+  /// One line for help.
+  virtual std::string description() const = 0;
+  /// A command line that can be run as it stands.
+  virtual std::string example() const = 0;
+
+  /// Adds the options of this analysis alone; the object must outlive the parsing.
+  virtual void AddOptions(CLI::App& app) = 0;
+  /// Writes what was given into the specification, in which the system is already filled in, and
+  /// picks the analysis. INVALID_ARGUMENT names the option.
+  virtual absl::Status Fill(v1::JobSpec& spec) const = 0;
+
+  /// The cells of a record, and of the result, under the same columns.
+  virtual CsvRow Csv(const v1::Record& record) const = 0;
+  virtual CsvRow Csv(const v1::Result& result) const = 0;
+  /// The result for people, lines ended.
+  virtual std::string Table(const v1::Job& job, const v1::Result& result) const = 0;
+};
+
+using Analyses = std::vector<std::unique_ptr<Analysis>>;
+
+/// All of them, in the order of help.
+Analyses MakeAnalyses();
+
+}  // namespace celt::cli

@@ -1,0 +1,66 @@
+#include "absl/strings/str_cat.h"
+#include "client/cli/command.h"
+#include "client/cli/csv.h"
+#include "client/cli/follow.h"
+#include "client/cli/json.h"
+#include "client/cli/system_options.h"
+
+namespace celt::cli {
+namespace {
+
+class Compute : public Command {
+ public:
+  explicit Compute(Analysis& analysis) : analysis_(analysis) {}
+
+  CLI::App* AddTo(CLI::App& parent) override {
+    CLI::App* const app = parent.add_subcommand(analysis_.command(), analysis_.description());
+    app->group("Computing");
+    app->footer(absl::StrCat("Example:\n  ", analysis_.example()));
+    analysis_.AddOptions(*app);
+    system_.AddTo(*app);
+    app->add_flag("--detach", detach_, "print the id of the job and leave it to the server")
+        ->group("Service");
+    return app;
+  }
+
+  absl::Status Check(bool embedded) override {
+    if (detach_ && embedded) {
+      return absl::InvalidArgumentError(
+          "--detach: needs --server HOST:PORT, a job inside this program would end with it");
+    }
+    absl::Status filled = system_.Fill(*request_.mutable_spec());
+    return filled.ok() ? analysis_.Fill(*request_.mutable_spec()) : filled;
+  }
+
+  bool NeedsPastJobs() const override { return false; }
+
+  ExitCode Run(const Session& session) override {
+    const auto job = session.client().Submit(request_);
+    if (!job.ok()) return session.Fail(job.status());
+    if (detach_) return PrintId(session, job->id());
+    return Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = true});
+  }
+
+ private:
+  static ExitCode PrintId(const Session& session, const std::string& id) {
+    v1::Job job;
+    job.set_id(id);
+    std::string text = id + "\n";
+    if (session.format() == OutputFormat::kJson) text = ToJson("job", job) + "\n";
+    if (session.format() == OutputFormat::kCsv) text = CsvLine({"id"}) + CsvLine({id});
+    return session.Written(session.terminal().Write(text));
+  }
+
+  Analysis& analysis_;
+  SystemOptions system_;
+  bool detach_ = false;
+  v1::SubmitJobRequest request_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> MakeCompute(Analysis& analysis) {
+  return std::make_unique<Compute>(analysis);
+}
+
+}  // namespace celt::cli

@@ -1,0 +1,69 @@
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
+#include "client/cli/command.h"
+#include "client/cli/csv.h"
+#include "client/cli/format.h"
+#include "client/cli/json.h"
+#include "client/cli/text_table.h"
+
+namespace celt::cli {
+namespace {
+
+std::string SystemTable(const v1::SystemInfo& system) {
+  TextTable table({"parameter", "default", "unit", "range", ""});
+  for (const v1::ParameterInfo& parameter : system.parameters()) {
+    table.Add({parameter.name(), Shortest(parameter.default_value()), parameter.unit(),
+               parameter.range(), parameter.description()});
+  }
+  return absl::StrCat("\n", system.name(), ": ", system.description(), "\n   coordinates ",
+                      absl::StrJoin(system.coordinates(), ", "), "\n", table.Text());
+}
+
+std::string Table(const v1::GetInfoResponse& info) {
+  std::string text = absl::StrCat("celt ", info.version(), ", ", info.workers(),
+                                  info.workers() == 1 ? " worker\n" : " workers\n");
+  for (const v1::SystemInfo& system : info.systems()) absl::StrAppend(&text, SystemTable(system));
+  return text;
+}
+
+std::string Csv(const v1::GetInfoResponse& info) {
+  std::string text = CsvLine({"system", "parameter", "default", "unit", "range", "description"});
+  for (const v1::SystemInfo& system : info.systems()) {
+    for (const v1::ParameterInfo& parameter : system.parameters()) {
+      absl::StrAppend(&text,
+                      CsvLine({system.name(), parameter.name(), Shortest(parameter.default_value()),
+                               parameter.unit(), parameter.range(), parameter.description()}));
+    }
+  }
+  return text;
+}
+
+class ServerInfo : public Command {
+ public:
+  CLI::App* AddTo(CLI::App& parent) override {
+    CLI::App* const app =
+        parent.add_subcommand("info", "Version, workers, systems and their parameters");
+    app->footer("Example:\n  celt server info");
+    return app;
+  }
+
+  bool NeedsPastJobs() const override { return false; }
+
+  ExitCode Run(const Session& session) override {
+    const auto info = session.client().Info(session.interrupt());
+    if (!info.ok()) return session.Fail(info.status());
+    std::string text = ToJson("info", *info) + "\n";
+    if (session.format() == OutputFormat::kTable) text = Table(*info);
+    if (session.format() == OutputFormat::kCsv) text = Csv(*info);
+    return session.Written(session.terminal().Write(text));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Command> MakeServerInfo() { return std::make_unique<ServerInfo>(); }
+
+}  // namespace celt::cli
