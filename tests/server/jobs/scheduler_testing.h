@@ -1,0 +1,84 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gtest/gtest.h"
+#include "server/jobs/scheduler.h"
+#include "server/jobs/sqlite_store.h"
+
+namespace celt::jobs {
+
+/// What a job leaves behind.
+struct Answer {
+  JobState state = JobState::kQueued;
+  std::string error;
+  std::string result;
+  std::vector<std::string> records;
+
+  bool operator==(const Answer&) const = default;
+};
+
+inline void PrintTo(const Answer& answer, std::ostream* out) {
+  *out << "state " << static_cast<int>(answer.state) << ", " << answer.error << ", "
+       << answer.result << ", " << ::testing::PrintToString(answer.records);
+}
+
+/// Waits until the condition holds, looking whenever the job has changed.
+template <class Condition>
+void AwaitJob(Scheduler& scheduler, const std::string& id, Condition condition) {
+  struct Signal {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::uint64_t changes = 0;
+  };
+  // Held by the callback too, which may be under way when this returns.
+  const auto signal = std::make_shared<Signal>();
+  const auto subscription = scheduler.notifier().Subscribe(id, [signal] {
+    const std::lock_guard lock(signal->mutex);
+    ++signal->changes;
+    signal->changed.notify_all();
+  });
+  std::uint64_t seen = 0;
+  while (!condition()) {
+    std::unique_lock lock(signal->mutex);
+    signal->changed.wait(lock, [&] { return signal->changes > seen; });
+    seen = signal->changes;
+  }
+}
+
+inline Answer AnswerOf(const JobStore& store, const std::string& id) {
+  Answer answer;
+  const auto job = store.Get(id);
+  const auto records = store.Records(id, 0, std::size_t{1} << 30);
+  if (!job.ok() || !records.ok()) return answer;
+  answer.state = job->state;
+  answer.error = job->error.ToString();
+  answer.result = job->result;
+  for (const StoredRecord& record : *records) answer.records.push_back(record.bytes);
+  return answer;
+}
+
+inline Answer AwaitEnd(Scheduler& scheduler, const JobStore& store, const std::string& id) {
+  AwaitJob(scheduler, id, [&] {
+    const auto job = store.Get(id);
+    return !job.ok() || HasEnded(job->state);
+  });
+  return AnswerOf(store, id);
+}
+
+inline std::unique_ptr<SqliteStore> MemoryStore() { return *SqliteStore::Open(":memory:"); }
+
+/// Submits, and gives the id.
+inline std::string Submit(Scheduler& scheduler, const std::string& specification,
+                          const std::string& request_id = "") {
+  const auto job = scheduler.Submit(specification, request_id);
+  EXPECT_TRUE(job.ok()) << job.status();
+  return job.ok() ? job->id : "";
+}
+
+}  // namespace celt::jobs

@@ -1,0 +1,302 @@
+#include "server/jobs/sqlite_store.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "absl/strings/str_cat.h"
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "temporary_directory.h"
+
+namespace celt::jobs {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr std::size_t kPlenty = 1 << 20;
+// Not a whole second, so that a store that drops the fraction shows.
+const absl::Time kNow = absl::FromUnixNanos(1'700'000'000'123'456'789);
+
+Job NewJob(const std::string& id) {
+  Job job;
+  job.id = id;
+  job.specification = std::string("spec\0with a zero", 16);
+  job.work_total = 12.5;
+  job.work_unit = "units";
+  job.created = kNow;
+  return job;
+}
+
+void ExpectSame(const Job& a, const Job& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.request_id, b.request_id);
+  EXPECT_EQ(a.specification, b.specification);
+  EXPECT_EQ(a.state, b.state);
+  EXPECT_EQ(a.work_done, b.work_done);
+  EXPECT_EQ(a.work_total, b.work_total);
+  EXPECT_EQ(a.work_unit, b.work_unit);
+  EXPECT_EQ(a.last_sequence, b.last_sequence);
+  EXPECT_EQ(a.error, b.error);
+  EXPECT_EQ(a.result, b.result);
+  EXPECT_EQ(a.created, b.created);
+  EXPECT_EQ(a.started, b.started);
+  EXPECT_EQ(a.ended, b.ended);
+}
+
+std::vector<std::string> Ids(const std::vector<Job>& jobs) {
+  std::vector<std::string> ids;
+  for (const Job& job : jobs) ids.push_back(job.id);
+  return ids;
+}
+
+std::vector<std::string> Bytes(const std::vector<StoredRecord>& records) {
+  std::vector<std::string> bytes;
+  for (const StoredRecord& record : records) {
+    bytes.push_back(absl::StrCat(record.sequence, ":", record.bytes));
+  }
+  return bytes;
+}
+
+class SqliteStoreTest : public ::testing::Test {
+ protected:
+  SqliteStoreTest() { Open(); }
+
+  void Open() {
+    store_.reset();
+    auto store = SqliteStore::Open(temporary_ / "jobs.sqlite");
+    ASSERT_TRUE(store.ok()) << store.status();
+    store_ = *std::move(store);
+  }
+  void Add(const std::string& id) { ASSERT_TRUE(store_->Create(NewJob(id)).ok()); }
+
+  TemporaryDirectory temporary_;
+  std::unique_ptr<SqliteStore> store_;
+};
+
+TEST_F(SqliteStoreTest, GivesBackAJobAsItWas) {
+  Job job = NewJob("a");
+  job.request_id = "request";
+  ASSERT_TRUE(store_->Create(job).ok());
+  Open();
+  const auto found = store_->Get("a");
+  ASSERT_TRUE(found.ok()) << found.status();
+  ExpectSame(*found, job);
+}
+
+TEST_F(SqliteStoreTest, KnowsNoJobThatWasNotCreated) {
+  const std::string id = "nobody";
+  EXPECT_TRUE(absl::IsNotFound(store_->Get(id).status()));
+  EXPECT_TRUE(absl::IsNotFound(store_->Delete(id)));
+  EXPECT_TRUE(absl::IsNotFound(store_->MarkStarted(id, kNow)));
+  EXPECT_TRUE(absl::IsNotFound(store_->MarkEnded(id, JobState::kCancelled, {}, "", kNow)));
+  EXPECT_TRUE(absl::IsNotFound(store_->Commit(id, {})));
+  EXPECT_TRUE(absl::IsNotFound(store_->LoadProgress(id).status()));
+  EXPECT_TRUE(absl::IsNotFound(store_->Records(id, 0, kPlenty).status()));
+}
+
+TEST_F(SqliteStoreTest, GivesTheSameJobForTheSameRequest) {
+  Job first = NewJob("a");
+  first.request_id = "request";
+  ASSERT_TRUE(store_->Create(first).ok());
+  Job again = first;
+  again.id = "b";
+  EXPECT_EQ(store_->Create(again)->id, "a");
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("b").status()));
+  again.specification = "another";
+  EXPECT_TRUE(absl::IsAlreadyExists(store_->Create(again).status()));
+}
+
+TEST_F(SqliteStoreTest, MakesANewJobOfEachSubmissionWithoutRequest) {
+  Add("a");
+  Add("b");
+  EXPECT_TRUE(store_->Get("b").ok());
+}
+
+TEST_F(SqliteStoreTest, ListsTheNewestFirstPageByPage) {
+  for (const char* id : {"a", "b", "c", "d", "e"}) Add(id);
+  const auto first = store_->List({}, 2, "");
+  ASSERT_TRUE(first.ok()) << first.status();
+  EXPECT_THAT(Ids(first->jobs), ElementsAre("e", "d"));
+  Add("f");  // comes between the pages, and must not shift them
+  const auto second = store_->List({}, 2, first->next_page_token);
+  EXPECT_THAT(Ids(second->jobs), ElementsAre("c", "b"));
+  const auto third = store_->List({}, 2, second->next_page_token);
+  EXPECT_THAT(Ids(third->jobs), ElementsAre("a"));
+  EXPECT_EQ(third->next_page_token, "");
+}
+
+TEST_F(SqliteStoreTest, HasNoNextPageWhenThisOneIsJustFull) {
+  Add("a");
+  Add("b");
+  EXPECT_EQ(store_->List({}, 2, "")->next_page_token, "");
+}
+
+TEST_F(SqliteStoreTest, ListsOnlyTheStatesAskedFor) {
+  for (const char* id : {"a", "b", "c"}) Add(id);
+  ASSERT_TRUE(store_->MarkStarted("b", kNow).ok());
+  ASSERT_TRUE(store_->MarkEnded("c", JobState::kCancelled, {}, "", kNow).ok());
+  const JobFilter filter{{JobState::kRunning, JobState::kCancelled}};
+  const auto page = store_->List(filter, 1, "");
+  EXPECT_THAT(Ids(page->jobs), ElementsAre("c"));
+  EXPECT_THAT(Ids(store_->List(filter, 1, page->next_page_token)->jobs), ElementsAre("b"));
+}
+
+TEST_F(SqliteStoreTest, RefusesTokensThatAreNotItsOwn) {
+  Add("a");
+  Add("b");
+  EXPECT_TRUE(absl::IsInvalidArgument(store_->List({}, 1, "nonsense").status()));
+  const std::string token = store_->List({}, 1, "")->next_page_token;
+  const JobFilter other{{JobState::kRunning}};
+  EXPECT_TRUE(absl::IsInvalidArgument(store_->List(other, 1, token).status()));
+}
+
+TEST_F(SqliteStoreTest, FindsWhatHasNotEndedTheOldestFirst) {
+  for (const char* id : {"a", "b", "c"}) Add(id);
+  ASSERT_TRUE(store_->MarkStarted("c", kNow).ok());
+  ASSERT_TRUE(store_->MarkEnded("b", JobState::kSucceeded, {}, "r", kNow).ok());
+  Open();
+  EXPECT_THAT(Ids(*store_->Unfinished()), ElementsAre("a", "c"));
+}
+
+TEST_F(SqliteStoreTest, StartsAJobOnce) {
+  Add("a");
+  ASSERT_TRUE(store_->MarkStarted("a", kNow).ok());
+  ASSERT_TRUE(store_->MarkStarted("a", kNow + absl::Seconds(1)).ok());
+  EXPECT_EQ(store_->Get("a")->state, JobState::kRunning);
+  EXPECT_EQ(store_->Get("a")->started, kNow);
+}
+
+TEST_F(SqliteStoreTest, EndsAJobOnce) {
+  Add("a");
+  const absl::Status error = absl::OutOfRangeError("orbit lost");
+  ASSERT_TRUE(store_->MarkEnded("a", JobState::kFailed, error, "", kNow).ok());
+  EXPECT_TRUE(
+      absl::IsFailedPrecondition(store_->MarkEnded("a", JobState::kSucceeded, {}, "result", kNow)));
+  Open();
+  EXPECT_EQ(store_->Get("a")->state, JobState::kFailed);
+  EXPECT_EQ(store_->Get("a")->error, error);
+  EXPECT_EQ(store_->Get("a")->result, "");
+  EXPECT_EQ(store_->Get("a")->ended, kNow);
+}
+
+UnitCommit FirstCommit() {
+  UnitCommit commit;
+  commit.position = {.chain = 1, .next_step = 1, .checkpoint = "one", .ended = false};
+  commit.added = {{UnitId{0, 1}, "waits"}};
+  commit.work_done = 1;
+  return commit;
+}
+
+UnitCommit SecondCommit() {
+  UnitCommit commit;
+  commit.position = {.chain = 0, .next_step = 1, .checkpoint = "zero", .ended = true};
+  commit.collected = {{0, 1}};
+  commit.fold_state = "folded";
+  commit.fold_next = {1, 1};
+  commit.records = {"x", "yy", "zzz"};
+  commit.work_done = 2;
+  return commit;
+}
+
+TEST_F(SqliteStoreTest, KeepsWhatWasCommitted) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
+  Open();
+  const auto waiting = store_->LoadProgress("a");
+  ASSERT_TRUE(waiting.ok()) << waiting.status();
+  ASSERT_EQ(waiting->pending.size(), 1U);
+  EXPECT_EQ(waiting->pending[0].payload, "waits");
+  EXPECT_EQ(waiting->fold_next, UnitId{});
+
+  ASSERT_TRUE(store_->Commit("a", SecondCommit()).ok());
+  Open();
+  const auto folded = store_->LoadProgress("a");
+  EXPECT_THAT(folded->pending, IsEmpty());
+  EXPECT_EQ(folded->fold_state, "folded");
+  EXPECT_EQ(folded->fold_next, (UnitId{1, 1}));
+  ASSERT_EQ(folded->chains.size(), 2U);
+  EXPECT_EQ(folded->chains[0].checkpoint, "zero");
+  EXPECT_TRUE(folded->chains[0].ended);
+  EXPECT_EQ(folded->chains[1].checkpoint, "one");
+  EXPECT_FALSE(folded->chains[1].ended);
+  EXPECT_EQ(store_->Get("a")->work_done, 2);
+  EXPECT_EQ(store_->Get("a")->last_sequence, 3);
+}
+
+TEST_F(SqliteStoreTest, NumbersRecordsWithoutGaps) {
+  Add("a");
+  Add("b");
+  ASSERT_TRUE(store_->Commit("a", SecondCommit()).ok());
+  ASSERT_TRUE(store_->Commit("b", SecondCommit()).ok());
+  UnitCommit more;
+  more.records = {"more"};
+  ASSERT_TRUE(store_->Commit("a", more).ok());
+  EXPECT_THAT(Bytes(*store_->Records("a", 0, kPlenty)),
+              ElementsAre("1:x", "2:yy", "3:zzz", "4:more"));
+}
+
+TEST_F(SqliteStoreTest, GivesRecordsAfterANumberAsManyAsFit) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", SecondCommit()).ok());
+  EXPECT_THAT(Bytes(*store_->Records("a", 1, kPlenty)), ElementsAre("2:yy", "3:zzz"));
+  EXPECT_THAT(Bytes(*store_->Records("a", 0, 3)), ElementsAre("1:x", "2:yy"));
+  EXPECT_THAT(Bytes(*store_->Records("a", 2, 1)), ElementsAre("3:zzz")) << "one at least";
+  EXPECT_THAT(*store_->Records("a", 3, kPlenty), IsEmpty());
+}
+
+TEST_F(SqliteStoreTest, CommitsAllOrNothing) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
+  UnitCommit twice =
+      FirstCommit();  // the payload is there already, so that this must fail half way
+  twice.position.checkpoint = "changed";
+  twice.records = {"record"};
+  EXPECT_FALSE(store_->Commit("a", twice).ok());
+  EXPECT_EQ(store_->LoadProgress("a")->chains[0].checkpoint, "one");
+  EXPECT_THAT(*store_->Records("a", 0, kPlenty), IsEmpty());
+  EXPECT_TRUE(store_->Commit("a", SecondCommit()).ok()) << "the store goes on";
+}
+
+TEST_F(SqliteStoreTest, TakesNothingForAJobThatEnded) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
+  ASSERT_TRUE(store_->MarkEnded("a", JobState::kCancelled, {}, "", kNow).ok());
+  EXPECT_TRUE(absl::IsFailedPrecondition(store_->Commit("a", SecondCommit())));
+  EXPECT_THAT(*store_->Records("a", 0, kPlenty), IsEmpty());
+}
+
+TEST_F(SqliteStoreTest, KeepsOnlyTheRecordsOfAJobThatEnded) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
+  ASSERT_TRUE(store_->Commit("a", SecondCommit()).ok());
+  ASSERT_TRUE(store_->MarkEnded("a", JobState::kSucceeded, {}, "result", kNow).ok());
+  const auto progress = store_->LoadProgress("a");
+  EXPECT_THAT(progress->chains, IsEmpty());
+  EXPECT_EQ(progress->fold_state, "");
+  EXPECT_EQ(store_->Records("a", 0, kPlenty)->size(), 3U);
+  EXPECT_EQ(store_->Get("a")->result, "result");
+}
+
+TEST_F(SqliteStoreTest, DeletesAJobWithAllThatIsItsOwn) {
+  Add("a");
+  ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
+  ASSERT_TRUE(store_->Commit("a", SecondCommit()).ok());
+  ASSERT_TRUE(store_->Delete("a").ok());
+  EXPECT_TRUE(absl::IsNotFound(store_->Get("a").status()));
+  Add("a");  // of the same name, and of none of the other's data
+  EXPECT_THAT(*store_->Records("a", 0, kPlenty), IsEmpty());
+  EXPECT_THAT(store_->LoadProgress("a")->chains, IsEmpty());
+}
+
+TEST(SqliteStoreInMemory, Works) {
+  const auto store = SqliteStore::Open(":memory:");
+  ASSERT_TRUE(store.ok()) << store.status();
+  ASSERT_TRUE((*store)->Create(NewJob("a")).ok());
+  ASSERT_TRUE((*store)->Commit("a", SecondCommit()).ok());
+  EXPECT_EQ((*store)->Records("a", 0, kPlenty)->size(), 3U);
+}
+
+}  // namespace
+}  // namespace celt::jobs
