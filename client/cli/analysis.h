@@ -35,9 +35,12 @@ class Analysis {
   /// picks the analysis. INVALID_ARGUMENT names the option.
   virtual absl::Status Fill(v1::JobSpec& spec) const = 0;
 
-  /// The cells of a record, and of the result, under the same columns.
+  /// The cells of a record, and of the result, under the same columns. A result without cells has
+  /// no row: its records say it all.
   virtual CsvRow Csv(const v1::Record& record) const = 0;
   virtual CsvRow Csv(const v1::Result& result) const = 0;
+  /// A record for people, as it comes, lines ended; nothing when only the result is for them.
+  virtual std::string Line(const v1::Record&) const { return ""; }
   /// The result for people, lines ended.
   virtual std::string Table(const v1::Job& job, const v1::Result& result) const = 0;
 };

@@ -10,7 +10,7 @@ ResultPrinter::ResultPrinter(OutputFormat format, const Analysis& analysis, Term
     : format_(format), analysis_(analysis), terminal_(terminal) {}
 
 absl::Status ResultPrinter::Print(const v1::Record& record) {
-  if (format_ == OutputFormat::kTable) return absl::OkStatus();
+  if (format_ == OutputFormat::kTable) return PrintLine(analysis_.Line(record));
   if (format_ == OutputFormat::kJson) return terminal_.Write(ToJson(record) + "\n");
   CsvRow row = analysis_.Csv(record);
   row.insert(row.begin(), {{"row", "record"}, {"sequence", absl::StrCat(record.sequence())}});
@@ -21,8 +21,13 @@ absl::Status ResultPrinter::Print(const v1::Job& job, const v1::Result& result) 
   if (format_ == OutputFormat::kTable) return terminal_.Write(analysis_.Table(job, result));
   if (format_ == OutputFormat::kJson) return terminal_.Write(ResultJson(result) + "\n");
   CsvRow row = analysis_.Csv(result);
+  if (row.empty()) return absl::OkStatus();
   row.insert(row.begin(), {{"row", "result"}, {"sequence", ""}});
   return PrintRow(row);
+}
+
+absl::Status ResultPrinter::PrintLine(const std::string& line) {
+  return line.empty() ? absl::OkStatus() : terminal_.Write(line);
 }
 
 absl::Status ResultPrinter::PrintRow(const CsvRow& row) {

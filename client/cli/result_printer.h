@@ -12,7 +12,7 @@ namespace celt::cli {
 /// Prints the records and the result of one job in the format asked for:
 ///   json   {"sequence":"1","<analysis>":{...}} for each record, then {"result":{...}}
 ///   csv    a header, a row "record,<sequence>,..." for each record, then "result,,..."
-///   table  the result for people
+///   table  a line for each record where the analysis has one, then the result for people
 class ResultPrinter {
  public:
   /// All three must outlive the printer.
@@ -22,6 +22,7 @@ class ResultPrinter {
   absl::Status Print(const v1::Job& job, const v1::Result& result);
 
  private:
+  absl::Status PrintLine(const std::string& line);
   absl::Status PrintRow(const CsvRow& row);
 
   OutputFormat format_;

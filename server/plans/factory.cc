@@ -2,7 +2,7 @@
 
 #include "celt/v1/job.pb.h"
 #include "server/jobs/status_macros.h"
-#include "server/plans/lyapunov_plan.h"
+#include "server/plans/analysis.h"
 
 namespace celt::plans {
 
@@ -11,13 +11,8 @@ absl::StatusOr<std::unique_ptr<jobs::Plan>> MakePlan(std::string_view specificat
   if (!spec.ParseFromArray(specification.data(), static_cast<int>(specification.size()))) {
     return absl::DataLossError("the stored specification is damaged");
   }
-  switch (spec.analysis_case()) {
-    case v1::JobSpec::kLyapunov:
-      return LyapunovPlan::Make(spec);
-    case v1::JobSpec::ANALYSIS_NOT_SET:
-      break;
-  }
-  return absl::InvalidArgumentError("analysis: missing, or of a newer celt");
+  CELT_ASSIGN_OR_RETURN(const Analysis analysis, FindAnalysis(spec));
+  return analysis.make_plan(spec);
 }
 
 }  // namespace celt::plans

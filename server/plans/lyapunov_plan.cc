@@ -145,4 +145,8 @@ absl::StatusOr<std::string> LyapunovPlan::Finish(std::string_view state) const {
   return Serialize(result);
 }
 
+absl::StatusOr<std::unique_ptr<jobs::Plan>> MakeLyapunovPlan(const v1::JobSpec& resolved) {
+  return LyapunovPlan::Make(resolved);
+}
+
 }  // namespace celt::plans

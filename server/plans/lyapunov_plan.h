@@ -53,4 +53,7 @@ class LyapunovPlan final : public jobs::Plan {
   const LyapunovSchedule schedule_;
 };
 
+/// For the table of analyses.
+absl::StatusOr<std::unique_ptr<jobs::Plan>> MakeLyapunovPlan(const v1::JobSpec& resolved);
+
 }  // namespace celt::plans

@@ -9,13 +9,6 @@
 namespace celt::plans {
 namespace {
 
-template <class Message>
-absl::StatusOr<Message> Parse(std::string_view bytes) {
-  Message message;
-  if (message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return message;
-  return absl::DataLossError("the stored state of the job is damaged");
-}
-
 Point ToPoint(const google::protobuf::RepeatedField<double>& values) {
   Point point(std::min(values.size(), kMaxDimension));
   for (Eigen::Index i = 0; i < point.size(); ++i) point[i] = values.Get(static_cast<int>(i));

@@ -1,11 +1,12 @@
 #include "server/plans/spec.h"
 
+#include <cmath>
 #include <string>
 
 #include "absl/strings/str_cat.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/analysis.h"
 #include "server/plans/convert.h"
-#include "server/plans/lyapunov_spec.h"
 
 namespace celt::plans {
 namespace {
@@ -55,6 +56,29 @@ absl::Status CheckRange(std::string_view field, std::int64_t value, std::int64_t
                                                  highest, "]"));
 }
 
+absl::Status CheckAbove(std::string_view field, double value, double above, double highest) {
+  if (std::isfinite(value) && value > above && value <= highest) return absl::OkStatus();
+  return absl::InvalidArgumentError(absl::StrCat(
+      std::string(field), ": ", value, " is not allowed; it lies in (", above, ", ", highest, "]"));
+}
+
+absl::Status ResolvePoint(const System& system, const v1::JobSpec& spec, std::string_view field,
+                          v1::Point& point) {
+  const PointFrame frame(spec);
+  const bool given =
+      point.has_l() || point.has_l_over_g() || point.has_h_over_g() || point.x_size() > 0;
+  if (!given) point = frame.FromPoint(system.DefaultStart());
+  const auto check = [&]() -> absl::Status {
+    CELT_ASSIGN_OR_RETURN(const Point x, frame.ToPoint(point));
+    CELT_RETURN_IF_ERROR(CheckPoint(system, x));
+    CELT_ASSIGN_OR_RETURN(const std::unique_ptr<Map> map, MakeMap(spec));
+    return map->CheckPoint(x);
+  };
+  const absl::Status status = check();
+  if (status.ok()) return status;
+  return absl::Status(status.code(), absl::StrCat(std::string(field), ": ", status.message()));
+}
+
 absl::StatusOr<v1::JobSpec> ResolveSpec(const v1::JobSpec& spec) {
   v1::JobSpec resolved = spec;
   resolved.DiscardUnknownFields();
@@ -64,14 +88,9 @@ absl::StatusOr<v1::JobSpec> ResolveSpec(const v1::JobSpec& spec) {
   CELT_RETURN_IF_ERROR(ResolveSystem(*system, *resolved.mutable_system()));
   CELT_RETURN_IF_ERROR(ResolveNumerics(*system, *resolved.mutable_numerics()));
   CELT_RETURN_IF_ERROR(ResolveFrame(resolved));
-  switch (resolved.analysis_case()) {
-    case v1::JobSpec::kLyapunov:
-      CELT_RETURN_IF_ERROR(ResolveLyapunov(*system, resolved));
-      return resolved;
-    case v1::JobSpec::ANALYSIS_NOT_SET:
-      break;
-  }
-  return absl::InvalidArgumentError("analysis: missing; set lyapunov");
+  CELT_ASSIGN_OR_RETURN(const Analysis analysis, FindAnalysis(resolved));
+  CELT_RETURN_IF_ERROR(analysis.resolve(*system, resolved));
+  return resolved;
 }
 
 absl::StatusOr<std::unique_ptr<Map>> MakeMap(const v1::JobSpec& resolved) {

@@ -19,9 +19,18 @@ absl::StatusOr<v1::JobSpec> ResolveSpec(const v1::JobSpec& spec);
 /// The map of a resolved specification.
 absl::StatusOr<std::unique_ptr<Map>> MakeMap(const v1::JobSpec& resolved);
 
+/// Fills in the system's known start where `point` has no coordinates, and checks that it lies in
+/// the domain of the specification's map. INVALID_ARGUMENT begins with `field`. Everything but the
+/// analysis must be resolved.
+absl::Status ResolvePoint(const System& system, const v1::JobSpec& spec, std::string_view field,
+                          v1::Point& point);
+
 /// INVALID_ARGUMENT "field: value is not allowed; it lies in range" unless lowest ≤ value ≤
 /// highest.
 absl::Status CheckRange(std::string_view field, std::int64_t value, std::int64_t lowest,
                         std::int64_t highest);
+
+/// The same of a number that is to be finite, > `above` and ≤ `highest`.
+absl::Status CheckAbove(std::string_view field, double value, double above, double highest);
 
 }  // namespace celt::plans
