@@ -70,14 +70,21 @@ class Group {
   static constexpr int kN = Layout::kOrbits;
   static constexpr bool kWithTangents = Layout::kTangents > 0;
 
+  /// Where the orbit is at a part of the step.
+  struct Look {
+    double part;
+    double value;  ///< e, with the sign that makes a crossing one upward
+    double side;
+  };
+
   struct Lane {
     bool busy = false;
     bool landing = false;  ///< the step goes to the section
     int ticket = 0;
     int steps = 0;
-    int passes = 0;     ///< steps to the section so far
-    double up = 1;      ///< sign of γ₃
-    double before = 0;  ///< e at the start of the step; 0 at the start of all
+    int passes = 0;  ///< steps to the section so far
+    double up = 1;   ///< sign of γ₃
+    Look before{};   ///< at the start of the step; 0 at the start of all
   };
 
   /// An idle lane computes on, harmlessly.
@@ -144,18 +151,15 @@ class Group {
       return Lose(feed, lane, absl::StrCat("no crossing within ", problem_.most_steps, " steps"));
     if (!(ratio_[lane] <= 1)) return Shorten(feed, lane);
 
-    const PartValue begin{0, own.before};
-    const PartValue middle{kNodes[kMiddleStage], direction_ * middle_value_[lane]};
-    const PartValue end{1, direction_ * end_value_[lane]};
-    if (begin.value < 0 && middle.value >= 0 && middle_side_[lane] > 0)
-      return Approach(lane, begin, middle, end);
-    if (middle.value < 0 && end.value >= 0 && end_side_[lane] > 0)
-      return Approach(lane, middle, end, begin);
+    const Look begin = own.before;
+    const Look middle{kNodes[kMiddleStage], direction_ * middle_value_[lane], middle_side_[lane]};
+    const Look end{1, direction_ * end_value_[lane], end_side_[lane]};
+    if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
 
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
     if (std::abs(step_.end.time[lane]) > problem_.longest_time)
       return Lose(feed, lane, "no crossing within the longest time");
-    own.before = end.value;
+    own.before = {0, end.value, end.side};
     accept_[lane] = 1;
     const double now = std::abs(length_[lane]);
     if (now < problem_.longest_step || ratio_[lane] > kCalm) {
@@ -189,14 +193,52 @@ class Group {
     }
   }
 
-  /// Sets the lane to step from where it is to the section, which the step just taken crosses
-  /// between `low` and `high`.
-  void Approach(int lane, PartValue low, PartValue high, PartValue other) {
+  /// Whether the orbit crosses the section between `low` and `high`; the lane then goes there.
+  /// `other` is one more look at the step.
+  bool Crosses(int lane, const Look& low, const Look& high, const Look& other) {
+    if (low.value < 0 && high.value >= 0) {
+      if (!(low.side > 0 || high.side > 0)) return false;
+      const double part = Zero(lane, low, high, other);
+      const bool sure = low.side > 0 && high.side > 0;
+      return (sure || LookAt(lane, part).side > 0) && Approach(lane, part);
+    }
+    // Past |L/G| = 1 or |H/G| = 1, (e, side) goes past 0 quickly, and e may change its sign twice.
+    const bool passes = low.value * high.value > 0 && low.side * high.side < 0 &&
+                        std::abs(low.value) < std::abs(low.side - high.side);
+    return passes && CrossesTwice(lane, low, high, other);
+  }
+
+  /// The same where e has one sign at both ends, its side two: the sign of e where the side changes
+  /// tells.
+  bool CrossesTwice(int lane, const Look& low, const Look& high, const Look& other) {
+    const auto side = [&](double part) { return LookAt(lane, part).side; };
+    const Look turn = LookAt(lane, FindCrossing({low.part, low.side}, {high.part, high.side},
+                                                {other.part, other.side}, side));
+    if (turn.value < 0 && low.value > 0 && high.side > 0)
+      return Approach(lane, Zero(lane, turn, high, low));
+    if (turn.value > 0 && low.value < 0 && low.side > 0)
+      return Approach(lane, Zero(lane, low, turn, high));
+    return false;
+  }
+
+  /// The part of the step where e vanishes, between `low` and `high`.
+  double Zero(int lane, const Look& low, const Look& high, const Look& other) const {
+    const auto value = [&](double part) { return LookAt(lane, part).value; };
+    return FindCrossing({low.part, low.value}, {high.part, high.value}, {other.part, other.value},
+                        value);
+  }
+
+  Look LookAt(int lane, double part) const {
+    const auto place = PlaceAt(problem_, PartOfStep(lane, part), gravity_[lane]);
+    return {part, direction_ * place.value, place.side};
+  }
+
+  /// Sets the lane to step from where it is to the section, which the step just taken crosses at
+  /// `part`.
+  bool Approach(int lane, double part) {
     lanes_[lane].landing = true;
-    const double part = FindCrossing(low, high, other, [&](double at) {
-      return direction_ * ValueAt(problem_, PartOfStep(lane, at), gravity_[lane]);
-    });
     length_[lane] *= part;
+    return true;
   }
 
   FastState PartOfStep(int lane, double part) const {
@@ -267,8 +309,8 @@ class Group {
   /// Part of a step below which the cube of it is rounding.
   static constexpr double kTiny = 3e-5;
   static constexpr int kMostPasses = 10;
-  /// |q|² where |γ₃| is twice the least that the stone's functions allow.
-  static constexpr double kMostTilt = 1 / (4 * kLeastGamma3 * kLeastGamma3) - 1;
+  /// |q|² where |γ₃| is the least that is allowed.
+  static constexpr double kMostTilt = 1 / (kLeastGamma3 * kLeastGamma3) - 1;
   static constexpr const char* kTilted = "gamma3 goes to 0, the contact point to infinity";
 
   const Problem& problem_;

@@ -62,9 +62,9 @@ std::vector<CrossingTask> ReferenceTasks() {
   return tasks;
 }
 
-std::vector<Crossing> Run(const SectionEngine& engine, const std::vector<CrossingTask>& tasks,
-                          Direction direction = Direction::kForward,
-                          Derivative derivative = Derivative::kJacobian) {
+std::vector<Crossing> Cross(const SectionEngine& engine, const std::vector<CrossingTask>& tasks,
+                            Direction direction = Direction::kForward,
+                            Derivative derivative = Derivative::kJacobian) {
   ListFeed feed(tasks);
   engine.Run(feed, direction, derivative);
   for (const absl::Status& status : feed.statuses) EXPECT_TRUE(status.ok()) << status;
@@ -73,8 +73,8 @@ std::vector<Crossing> Run(const SectionEngine& engine, const std::vector<Crossin
 
 std::vector<Crossing> RunInLanes(int lanes, const std::vector<CrossingTask>& tasks,
                                  Derivative derivative = Derivative::kJacobian) {
-  return Run(FastSectionEngine(Stone(), kPi, 1e-10, {.lanes = lanes}), tasks, Direction::kForward,
-             derivative);
+  return Cross(FastSectionEngine(Stone(), kPi, 1e-10, {.lanes = lanes}), tasks, Direction::kForward,
+               derivative);
 }
 
 /// Equal to the last bit, signs of zeros included.
@@ -106,7 +106,7 @@ struct Errors {
 
 Errors ErrorsAt(double tolerance) {
   const std::vector<Crossing> crossings =
-      Run(FastSectionEngine(Stone(), kPi, tolerance), ReferenceTasks());
+      Cross(FastSectionEngine(Stone(), kPi, tolerance), ReferenceTasks());
   const std::vector<ReferenceIterate> reference = ReferenceIterates();
   Errors errors;
   for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -300,6 +300,8 @@ std::vector<CrossingTask> TasksOnGrid(const Case& c) {
 }
 
 TEST(FastSectionEngine, AgreesWithSundialsOnOtherStonesAndSections) {
+  // Orbits that take longer are lost to both, but cost SUNDIALS much time.
+  const CrossingLimits limits{.longest_time = 2, .most_steps = 3000};
   int above = 0;
   int below = 0;
   for (const Case& c : Cases()) {
@@ -308,8 +310,9 @@ TEST(FastSectionEngine, AgreesWithSundialsOnOtherStonesAndSections) {
     for (const Direction direction : {Direction::kForward, Direction::kBackward}) {
       ListFeed ours(tasks);
       ListFeed theirs(tasks);
-      FastSectionEngine(stone, c.angle, 1e-12).Run(ours, direction, Derivative::kJacobian);
-      SundialsSectionEngine(stone, c.angle, SteppingMethod::kRungeKutta, 1e-13)
+      FastSectionEngine(stone, c.angle, 1e-12, {.limits = limits})
+          .Run(ours, direction, Derivative::kJacobian);
+      SundialsSectionEngine(stone, c.angle, SteppingMethod::kRungeKutta, 1e-12, limits)
           .Run(theirs, direction, Derivative::kJacobian);
       for (std::size_t i = 0; i < tasks.size(); ++i) {
         SCOPED_TRACE(testing::Message() << c.name << ", task " << i);
@@ -321,7 +324,8 @@ TEST(FastSectionEngine, AgreesWithSundialsOnOtherStonesAndSections) {
         const Crossing& b = theirs.crossings[i];
         // Tolerances add up over some hundred steps, and orbits stretch by up to a thousand.
         EXPECT_LT((a.state - b.state).norm(), 1e-8 * b.state.norm());
-        EXPECT_LT((a.velocity - stone.Field(a.state)).norm(), 1e-12 * b.velocity.norm());
+        // ω follows from M by a matrix with a condition of up to 10⁴: so many roundings.
+        EXPECT_LT((a.velocity - stone.Field(a.state)).norm(), 1e4 * 1.1e-15 * b.velocity.norm());
         EXPECT_NEAR(a.time, b.time, 1e-8 * b.time);
         EXPECT_LT((a.tangents - b.tangents).norm(), 1e-7 * b.tangents.norm());
       }
@@ -329,6 +333,17 @@ TEST(FastSectionEngine, AgreesWithSundialsOnOtherStonesAndSections) {
   }
   EXPECT_GT(above, 20);
   EXPECT_GT(below, 0) << "orbits of the stone below its contact point";
+}
+
+TEST(FastSectionEngine, SeesTwoCrossingsOfEInOneStep) {
+  // Backward from here the orbit passes |L/G| = 1 so closely at t = 5.93 that g turns by half a
+  // turn within 0.01, and e changes its sign twice; the later crossing is at t = 6.74.
+  const CrossingTask task = TaskAt(Stone(), kEnergy, 0.5 * kPi, {2.1, 0.5, 0.9});
+  for (const double tolerance : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+    const auto crossings = Cross(FastSectionEngine(Stone(), 0.5 * kPi, tolerance), {task},
+                                 Direction::kBackward, Derivative::kNone);
+    EXPECT_NEAR(crossings[0].time, 5.931269940386, 1e3 * tolerance) << tolerance;
+  }
 }
 
 absl::Status StatusUnder(const CrossingLimits& limits) {
