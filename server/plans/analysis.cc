@@ -2,6 +2,7 @@
 
 #include "server/plans/lyapunov_plan.h"
 #include "server/plans/lyapunov_spec.h"
+#include "server/plans/section_plan.h"
 
 namespace celt::plans {
 
@@ -9,8 +10,10 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
   switch (spec.analysis_case()) {
     case v1::JobSpec::kLyapunov:
       return Analysis{ResolveLyapunov, MakeLyapunovPlan};
+    case v1::JobSpec::kSection:
+      return Analysis{ResolveSection, MakeSectionPlan};
     default:
-      return absl::InvalidArgumentError("analysis: missing, or not known here; set lyapunov");
+      return absl::InvalidArgumentError("analysis: missing, or not known here");
   }
 }
 

@@ -78,6 +78,23 @@ v1::Engine FromEngine(Engine engine) {
   return v1::ENGINE_UNSPECIFIED;
 }
 
+absl::StatusOr<Direction> ToDirection(v1::Direction direction) {
+  switch (direction) {
+    case v1::DIRECTION_UNSPECIFIED:
+    case v1::DIRECTION_FORWARD:
+      return Direction::kForward;
+    case v1::DIRECTION_BACKWARD:
+      return Direction::kBackward;
+    default:
+      return absl::InvalidArgumentError(
+          absl::StrCat("direction: ", static_cast<int>(direction), " is not known"));
+  }
+}
+
+v1::Direction FromDirection(Direction direction) {
+  return direction == Direction::kForward ? v1::DIRECTION_FORWARD : v1::DIRECTION_BACKWARD;
+}
+
 Parameters ToParameters(const v1::System& system) {
   return {system.parameters().begin(), system.parameters().end()};
 }

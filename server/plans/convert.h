@@ -12,6 +12,9 @@ namespace celt::plans {
 
 absl::StatusOr<Numerics> ToNumerics(const v1::Numerics& numerics);
 v1::Engine FromEngine(Engine engine);
+/// Unspecified is forward.
+absl::StatusOr<Direction> ToDirection(v1::Direction direction);
+v1::Direction FromDirection(Direction direction);
 Parameters ToParameters(const v1::System& system);
 
 /// Points of the contract: named coordinates and a choice of frame for the Celtic stone, plain ones
