@@ -93,7 +93,7 @@ void SystemOptions::AddNumerics(CLI::App& app) {
             {kNumericsGroup, "EPS", "relative error of a step, 1e-14 to 1e-3 (default 1e-11)"});
   AddChoice(app, "--engine", {"cvode", "arkode", "fast"}, engine_,
             {kNumericsGroup, "cvode|arkode|fast",
-             "code that advances the flow (default: the fastest there is)"});
+             "code that advances the flow (default: fast; for lorenz arkode)"});
 }
 
 std::vector<SystemOptions::StoneValue> SystemOptions::StoneValues() const {

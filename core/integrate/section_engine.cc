@@ -14,11 +14,11 @@ absl::StatusOr<std::unique_ptr<SectionEngine>> MakeSectionEngine(const CelticSto
                                                    numerics.tolerance);
   };
   switch (numerics.engine) {
-    case Engine::kDefault:
     case Engine::kArkode:
       return make(SteppingMethod::kRungeKutta);
     case Engine::kCvode:
       return make(SteppingMethod::kAdams);
+    case Engine::kDefault:
     case Engine::kFast:
       return std::make_unique<FastSectionEngine>(stone, section_angle, numerics.tolerance);
   }

@@ -24,6 +24,7 @@ template <class Layout>
 void RunGroups(const Problem& problem, CrossingFeed& feed, Direction direction, int count) {
   const auto step = hwy::MakeUniqueAligned<StepResult<Layout>>();
   std::vector<hwy::AlignedUniquePtr<Group<Layout>>> groups;
+  groups.reserve(count);
   for (int i = 0; i < count; ++i) {
     groups.push_back(hwy::MakeUniqueAligned<Group<Layout>>(problem, direction, *step));
   }
