@@ -1,6 +1,7 @@
 #include "client/cli/analysis.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/section.h"
+#include "client/cli/sweep.h"
 
 namespace celt::cli {
 
@@ -8,6 +9,7 @@ Analyses MakeAnalyses() {
   Analyses analyses;
   analyses.push_back(MakeLyapunov());
   analyses.push_back(MakeSection());
+  analyses.push_back(MakeSweep());
   return analyses;
 }
 

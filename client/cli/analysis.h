@@ -41,6 +41,11 @@ class Analysis {
   virtual CsvRow Csv(const v1::Result& result) const = 0;
   /// A record for people, as it comes, lines ended; nothing when only the result is for them.
   virtual std::string Line(const v1::Record&) const { return ""; }
+  /// The cells of the result at a node of a sweep, the same columns for every result, an empty one
+  /// too. Default: those of a csv table.
+  virtual CsvRow NodeCsv(const v1::Result& result) const { return Csv(result); }
+  /// The result in a few words: at a node of a sweep.
+  virtual std::string Brief(const v1::Result&) const { return ""; }
   /// The result for people, lines ended.
   virtual std::string Table(const v1::Job& job, const v1::Result& result) const = 0;
 };

@@ -1,19 +1,24 @@
 #include "client/cli/lyapunov.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/cli/format.h"
 #include "client/cli/lyapunov_table.h"
 #include "client/cli/option.h"
+#include "client/cli/regime.h"
 #include "client/cli/system_options.h"
 
 namespace celt::cli {
 namespace {
 
 constexpr char kGroup[] = "Lyapunov spectrum";
+
+constexpr int kUsualDimension = 3;
 
 using Doubles = google::protobuf::RepeatedField<double>;
 
@@ -27,7 +32,8 @@ void AddCells(const std::string& stem, const Doubles& values, int count, CsvRow&
 /// Of a LyapunovRecord or a LyapunovResult, which agree in these fields.
 template <typename Message>
 CsvRow Cells(const Message& message) {
-  const int count = message.exponents_per_iterate_size();
+  // A node of a sweep that failed has the columns of the others.
+  const int count = std::max(message.exponents_per_iterate_size(), kUsualDimension);
   CsvRow row = {{"iterates", absl::StrCat(message.iterates())}};
   AddCells("exponent_per_iterate", message.exponents_per_iterate(), count, row);
   AddCells("standard_error_per_iterate", message.standard_error_per_iterate(), count, row);
@@ -74,6 +80,13 @@ class Lyapunov : public Analysis {
 
   CsvRow Csv(const v1::Record& record) const override { return Cells(record.lyapunov()); }
   CsvRow Csv(const v1::Result& result) const override { return Cells(result.lyapunov()); }
+  std::string Brief(const v1::Result& result) const override {
+    std::string text = "Λ";
+    for (const double exponent : result.lyapunov().exponents_per_iterate()) {
+      absl::StrAppend(&text, absl::StrFormat(" %9.5f", exponent));
+    }
+    return absl::StrCat(text, "  ", RegimeName(result.lyapunov().regime()));
+  }
   std::string Table(const v1::Job& job, const v1::Result& result) const override {
     return LyapunovTable(job.spec(), result.lyapunov());
   }

@@ -80,6 +80,32 @@ class Section : public Analysis {
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
 
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    constexpr int kUsualDimension = 3;
+    const v1::SectionResult& section = result.section();
+    CsvRow row;
+    const auto add = [&](const char* stem, const google::protobuf::RepeatedField<double>& values) {
+      for (int i = 0; i < std::max(values.size(), kUsualDimension); ++i) {
+        row.emplace_back(absl::StrCat(stem, i + 1), i < values.size() ? Shortest(values[i]) : "");
+      }
+    };
+    add("lowest_", section.lowest());
+    add("highest_", section.highest());
+    row.emplace_back("mean_return_time", section.has_mean_return_time()
+                                             ? Shortest(section.mean_return_time())
+                                             : "");
+    return row;
+  }
+
+  std::string Brief(const v1::Result& result) const override {
+    const v1::SectionResult& section = result.section();
+    std::string text;
+    for (int i = 0; i < std::min(section.lowest_size(), section.highest_size()); ++i) {
+      absl::StrAppendFormat(&text, "[%.6g, %.6g]  ", section.lowest(i), section.highest(i));
+    }
+    return text;
+  }
+
   std::string Line(const v1::Record& record) const override {
     const v1::SectionRecord& section = record.section();
     std::string line = record.sequence() == 1 ? Header(section.point()) : "";

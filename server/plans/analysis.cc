@@ -3,6 +3,7 @@
 #include "server/plans/lyapunov_plan.h"
 #include "server/plans/lyapunov_spec.h"
 #include "server/plans/section_plan.h"
+#include "server/plans/sweep_plan.h"
 
 namespace celt::plans {
 
@@ -12,6 +13,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
       return Analysis{ResolveLyapunov, MakeLyapunovPlan};
     case v1::JobSpec::kSection:
       return Analysis{ResolveSection, MakeSectionPlan};
+    case v1::JobSpec::kSweep:
+      return Analysis{ResolveSweep, MakeSweepPlan};
     default:
       return absl::InvalidArgumentError("analysis: missing, or not known here");
   }

@@ -1,0 +1,96 @@
+#include "client/cli/sweep.h"
+
+#include <string>
+#include <vector>
+
+#include "client/cli/json.h"
+#include "gtest/gtest.h"
+#include "tests/client/fake_service.h"
+#include "tests/client/run_celt.h"
+
+namespace celt::cli {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+/// The specification that `celt sweep <options>` submits, as JSON.
+std::string Submitted(Arguments options) {
+  FakeService service;
+  v1::StreamResultsResponse result;
+  result.mutable_result()->mutable_sweep()->set_nodes(3);
+  service.scripts = {{{result}, {}}};
+  options.insert(options.begin(), "sweep");
+  const Outcome outcome = RunCelt(options, {.server = service.address()});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return ToJson(service.submitted());
+}
+
+std::string Refused(Arguments options) {
+  options.insert(options.begin(), "sweep");
+  const Outcome outcome = RunCelt(options, {.server = "127.0.0.1:1"});
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  return outcome.err;
+}
+
+TEST(SweepOptions, TakeAxesAndTheOptionsOfTheAnalysisAndOfTheSystem) {
+  EXPECT_EQ(
+      Submitted({"--axis", "energy=752:752.01:101", "--follow", "lyapunov", "--iterates", "2000",
+                 "--delta", "0.4"}),
+      R"({"system":{"parameters":{"delta":0.4}},"sweep":{"axes":[{"parameter":"energy",)"
+      R"("from":752,"to":752.01,"nodes":101}],"follow":true,"lyapunov":{"iterates":"2000"}}})");
+}
+
+TEST(SweepOptions, TakeTwoAxesForAChart) {
+  EXPECT_EQ(Submitted({"--axis", "energy=1:2:3", "--axis", "delta=-0.5:0.5:4", "lyapunov"}),
+            R"({"sweep":{"axes":[{"parameter":"energy","from":1,"to":2,"nodes":3},)"
+            R"({"parameter":"delta","from":-0.5,"to":0.5,"nodes":4}],"lyapunov":{}}})");
+}
+
+TEST(SweepOptions, RefuseWhatIsNoAxis) {
+  for (const char* const text : {"energy", "energy=1:2", "=1:2:3", "energy=1:2:3:4", "energy"}) {
+    EXPECT_NE(Refused({"--axis", text, "lyapunov"}).find("is not NAME=FROM:TO:NODES"),
+              std::string::npos)
+        << text;
+  }
+  EXPECT_NE(Refused({"--axis", "energy=1:x:3", "lyapunov"}).find("'x' is no finite number"),
+            std::string::npos);
+  EXPECT_NE(Refused({"--axis", "energy=1:2:1.5", "lyapunov"}).find("'1.5' is no whole number"),
+            std::string::npos);
+}
+
+TEST(SweepOptions, AskForAnAnalysis) {
+  EXPECT_NE(Refused({"--axis", "energy=1:2:3"}).find("celt sweep --help"), std::string::npos);
+}
+
+v1::Record RecordOf(int node, bool failed) {
+  v1::Record record;
+  v1::SweepRecord& sweep = *record.mutable_sweep();
+  sweep.set_node(node);
+  sweep.add_values(0.5);
+  if (failed) {
+    sweep.mutable_error()->set_message("lost");
+    return record;
+  }
+  *sweep.mutable_lyapunov() = ResultMessage().result().lyapunov();
+  return record;
+}
+
+TEST(SweepCsv, NodesThatFailedHaveTheColumnsOfTheOthers) {
+  const auto sweep = MakeSweep();
+  const CsvRow good = sweep->Csv(RecordOf(0, false));
+  const CsvRow bad = sweep->Csv(RecordOf(1, true));
+  ASSERT_EQ(good.size(), bad.size());
+  for (std::size_t i = 0; i < good.size(); ++i) EXPECT_EQ(good[i].first, bad[i].first);
+  EXPECT_EQ(good[1], (std::pair<std::string, std::string>("value_1", "0.5")));
+  EXPECT_EQ(good[2].second, "");
+  EXPECT_EQ(bad[2].second, "lost");
+}
+
+TEST(SweepTable, HasALineForEachNode) {
+  const auto sweep = MakeSweep();
+  EXPECT_EQ(sweep->Line(RecordOf(0, false)), "  0.5  Λ   0.25000   0.00000  -0.50000  not told\n");
+  EXPECT_EQ(sweep->Line(RecordOf(1, true)), "  0.5  ✗ lost\n");
+}
+
+}  // namespace
+}  // namespace celt::cli
