@@ -132,6 +132,7 @@ absl::StatusOr<std::vector<LyapunovSums>> AdvanceFrames(const Map& map,
 
 LyapunovReport Summarize(std::span<const LyapunovSums> batches) {
   LyapunovReport report;
+  report.batches = std::ssize(batches);
   for (const LyapunovSums& batch : batches) report.iterates += batch.iterates;
   const Eigen::Index n = batches.front().log_stretch.size();
   std::vector<double> exponents;

@@ -55,6 +55,7 @@ struct LyapunovCondition {
 /// The Lyapunov spectrum, ordered as the frame is (which is from the largest, up to statistics).
 struct LyapunovReport {
   std::int64_t iterates = 0;
+  std::int64_t batches = 0;  ///< that the standard errors are from
   Estimate return_time;
   std::vector<Estimate> per_iterate;
   std::vector<Estimate> per_time;

@@ -34,6 +34,9 @@ struct Image {
   double time = 1;
   /// DF at the preimage, D(row i of image, column j of preimage); 0×0 when it was not asked for.
   SquareMatrix jacobian;
+  /// Largest relative drift on the way of what the underlying flow conserves: an integrator's
+  /// error. 0 where there is no such thing.
+  double drift = 0;
 };
 
 /// What to ask of each orbit in Map::Advance.

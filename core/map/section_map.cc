@@ -1,5 +1,6 @@
 #include "core/map/section_map.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <deque>
@@ -151,9 +152,19 @@ absl::StatusOr<LiftedPoint> SectionMap::Lift(const Point& x) const {
   return LiftToLevel(stone_, energy_, section_angle_, SectionPoint(x));
 }
 
+double SectionMap::Drift(const StoneState& state) const {
+  const double potential = stone_.Potential(state.tail<3>());
+  const double energy = stone_.Energy(state);
+  const double size = std::abs(energy - potential) + std::abs(potential);
+  return std::max(std::abs(energy - energy_) / size, std::abs(state.tail<3>().norm() - 1));
+}
+
 absl::StatusOr<Image> SectionMap::ToImage(const Crossing& crossing, Derivative derivative) const {
   const ProjectedState projected = ProjectToSection(crossing.state);
-  Image image{.point = projected.x, .time = crossing.time, .jacobian = SquareMatrix()};
+  Image image{.point = projected.x,
+              .time = crossing.time,
+              .jacobian = SquareMatrix(),
+              .drift = Drift(crossing.state)};
   if (derivative == Derivative::kJacobian) {
     const StoneState normal = event_.Gradient(crossing.state);
     const Eigen::RowVector3d delays =

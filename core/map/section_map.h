@@ -24,7 +24,8 @@ namespace celt {
 /// with L' and P' the derivatives of lift and projection, Φ the flow's tangent map over the return
 /// time, f the field at the crossing y₁ and n the gradient there of the function that vanishes on
 /// the section. Every iterate starts on the level anew, so that energy and |γ| do not drift from
-/// one iterate to the next; within an iterate they drift by the integrator's error. Putting the
+/// one iterate to the next; within an iterate they drift by the integrator's error,
+/// which Image::drift tells. Putting the
 /// arrival back on the level was measured to raise the map's error, from 1.48e-11 to 2.03e-11 in
 /// root mean square at a tolerance of 1e-10, and is left out.
 ///
@@ -61,6 +62,8 @@ class SectionMap final : public Map {
   class OrbitFeed;
 
   absl::StatusOr<LiftedPoint> Lift(const Point& x) const;
+  /// How far a state is off the level, relative to kinetic and potential energy, and off |γ| = 1.
+  double Drift(const StoneState& state) const;
   absl::StatusOr<Image> ToImage(const Crossing& crossing, Derivative derivative) const;
 
   CelticStone stone_;
