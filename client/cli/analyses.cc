@@ -1,4 +1,5 @@
 #include "client/cli/analysis.h"
+#include "client/cli/fixed_point.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/section.h"
 #include "client/cli/sweep.h"
@@ -10,6 +11,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeLyapunov());
   analyses.push_back(MakeSection());
   analyses.push_back(MakeSweep());
+  analyses.push_back(MakeFixedPoint());
   return analyses;
 }
 

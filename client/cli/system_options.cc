@@ -89,8 +89,9 @@ void SystemOptions::AddSystem(CLI::App& app) {
 }
 
 void SystemOptions::AddNumerics(CLI::App& app) {
-  AddNumber(app, "--tolerance", tolerance_,
-            {kNumericsGroup, "EPS", "relative error of a step, 1e-14 to 1e-3 (default 1e-11)"});
+  AddNumber(
+      app, "--tolerance", tolerance_,
+      {kNumericsGroup, "EPS", "error of a step, 1e-14 to 1e-3 (default 1e-11, 1e-13 of cycles)"});
   AddChoice(app, "--engine", {"cvode", "arkode", "fast"}, engine_,
             {kNumericsGroup, "cvode|arkode|fast",
              "code that advances the flow (default: fast; for lorenz arkode)"});

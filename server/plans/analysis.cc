@@ -1,11 +1,19 @@
 #include "server/plans/analysis.h"
 
+#include "server/plans/fixed_point_plan.h"
+#include "server/plans/fixed_point_spec.h"
 #include "server/plans/lyapunov_plan.h"
 #include "server/plans/lyapunov_spec.h"
 #include "server/plans/section_plan.h"
 #include "server/plans/sweep_plan.h"
 
 namespace celt::plans {
+namespace {
+
+/// For what is located rather than averaged: cycles and their multipliers to 1e-10.
+constexpr double kFineTolerance = 1e-13;
+
+}  // namespace
 
 absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
   switch (spec.analysis_case()) {
@@ -15,6 +23,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
       return Analysis{ResolveSection, MakeSectionPlan};
     case v1::JobSpec::kSweep:
       return Analysis{ResolveSweep, MakeSweepPlan};
+    case v1::JobSpec::kFixedPoint:
+      return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance};
     default:
       return absl::InvalidArgumentError("analysis: missing, or not known here");
   }

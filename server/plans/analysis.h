@@ -18,6 +18,8 @@ struct Analysis {
   absl::Status (*resolve)(const System& system, v1::JobSpec& spec);
   /// The plan of a resolved specification.
   absl::StatusOr<std::unique_ptr<jobs::Plan>> (*make_plan)(const v1::JobSpec& resolved);
+  /// Numerics.tolerance where none is given.
+  double tolerance = Numerics().tolerance;
 };
 
 /// The analysis that a specification asks for. INVALID_ARGUMENT when it asks for none.

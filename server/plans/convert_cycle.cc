@@ -1,5 +1,8 @@
 #include "server/plans/convert_cycle.h"
 
+#include <string>
+
+#include "absl/strings/str_cat.h"
 #include "core/analysis/cycle_type.h"
 
 namespace celt::plans {
@@ -31,6 +34,33 @@ v1::Cycle FromCycle(const CycleReport& cycle, const PointFrame& frame) {
     inequality.set_margin(condition.margin);
   }
   return out;
+}
+
+namespace {
+
+std::string Effort(const CycleReport& cycle) {
+  return absl::StrCat("; residual ", cycle.residual, " after ", cycle.iterations,
+                      cycle.iterations == 1 ? " iteration" : " iterations");
+}
+
+}  // namespace
+
+absl::Status CheckFound(const CycleReport& cycle, int period) {
+  const std::string wanted = absl::StrCat("no cycle of period ", period, " found: ");
+  if (cycle.converged() && cycle.minimal_period == period) return absl::OkStatus();
+  if (cycle.converged()) {
+    return absl::NotFoundError(absl::StrCat(wanted, "Newton's method came to one of period ",
+                                            cycle.minimal_period, ", gone round ",
+                                            period / cycle.minimal_period,
+                                            " times; another guess "
+                                            "or a search may find one",
+                                            Effort(cycle)));
+  }
+  const std::string name(Name(cycle.termination));
+  const bool named = cycle.message.rfind(name, 0) == 0;
+  const bool lost = cycle.termination == CycleTermination::kLeftDomain;
+  return absl::Status(lost ? absl::StatusCode::kOutOfRange : absl::StatusCode::kNotFound,
+                      absl::StrCat(wanted, named ? "" : name + ": ", cycle.message, Effort(cycle)));
 }
 
 }  // namespace celt::plans

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "absl/status/status.h"
 #include "celt/v1/cycle.pb.h"
 #include "core/analysis/cycle.h"
 #include "server/plans/convert.h"
@@ -13,5 +14,10 @@ void AddMultipliers(std::span<const Multiplier> multipliers,
 
 /// A cycle that was found, with its type and the paper's test.
 v1::Cycle FromCycle(const CycleReport& cycle, const PointFrame& frame);
+
+/// OK when Newton's method came to a cycle of that period. OUT_OF_RANGE: it left the map's domain;
+/// NOT_FOUND: it did not converge, or came to a shorter cycle gone round several times. One line
+/// with the reason, the residual and the number of iterations.
+absl::Status CheckFound(const CycleReport& cycle, int period);
 
 }  // namespace celt::plans

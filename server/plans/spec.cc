@@ -19,10 +19,10 @@ absl::Status ResolveSystem(const System& system, v1::System& spec) {
   return absl::OkStatus();
 }
 
-absl::Status ResolveNumerics(const System& system, v1::Numerics& spec) {
+absl::Status ResolveNumerics(const System& system, double tolerance, v1::Numerics& spec) {
+  if (!spec.has_tolerance()) spec.set_tolerance(tolerance);
   CELT_ASSIGN_OR_RETURN(const Numerics numerics, ToNumerics(spec));
   CELT_RETURN_IF_ERROR(CheckNumerics(numerics));
-  spec.set_tolerance(numerics.tolerance);
   // A default may change from version to version; a specification must not.
   const bool chosen = numerics.engine != Engine::kDefault;
   spec.set_engine(FromEngine(chosen ? numerics.engine : system.DefaultEngine()));
@@ -86,9 +86,9 @@ absl::StatusOr<v1::JobSpec> ResolveSpec(const v1::JobSpec& spec) {
   if (name.empty()) name = std::string(AllSystems().front()->name());
   CELT_ASSIGN_OR_RETURN(const System* system, FindSystem(name));
   CELT_RETURN_IF_ERROR(ResolveSystem(*system, *resolved.mutable_system()));
-  CELT_RETURN_IF_ERROR(ResolveNumerics(*system, *resolved.mutable_numerics()));
-  CELT_RETURN_IF_ERROR(ResolveFrame(resolved));
   CELT_ASSIGN_OR_RETURN(const Analysis analysis, FindAnalysis(resolved));
+  CELT_RETURN_IF_ERROR(ResolveNumerics(*system, analysis.tolerance, *resolved.mutable_numerics()));
+  CELT_RETURN_IF_ERROR(ResolveFrame(resolved));
   CELT_RETURN_IF_ERROR(analysis.resolve(*system, resolved));
   return resolved;
 }

@@ -151,6 +151,7 @@ std::vector<std::string> Lines(const std::string& text) {
 TEST(Options, HelpOfEveryCommandFitsTheTerminalAndHasAnExample) {
   const std::vector<Arguments> commands = {{},
                                            {"lyapunov"},
+                                           {"fixed-point"},
                                            {"jobs"},
                                            {"jobs", "list"},
                                            {"jobs", "get"},
