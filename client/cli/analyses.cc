@@ -1,6 +1,7 @@
 #include "client/cli/analysis.h"
 #include "client/cli/fixed_point.h"
 #include "client/cli/lyapunov.h"
+#include "client/cli/orbit.h"
 #include "client/cli/section.h"
 #include "client/cli/sweep.h"
 
@@ -12,6 +13,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeSection());
   analyses.push_back(MakeSweep());
   analyses.push_back(MakeFixedPoint());
+  analyses.push_back(MakeOrbit());
   return analyses;
 }
 

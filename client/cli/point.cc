@@ -43,7 +43,8 @@ std::string PointText(const v1::Point& point) {
 }
 
 std::string Column(double number, int width, int decimals) {
-  return absl::StrFormat("%*.*f", width, decimals, number);
+  if (width == 0) return absl::StrFormat("%.*f", decimals, number);
+  return absl::StrFormat(" %*.*f", width - 1, decimals, number);
 }
 
 }  // namespace celt::cli

@@ -24,7 +24,8 @@ void AddPoint(const v1::Point& point, CsvRow& row);
 /// "(2.147462, -0.669144, -0.384701)".
 std::string PointText(const v1::Point& point);
 
-/// A number of a column of text, so many decimals, padded on the left.
+/// A number of a column of text, so many decimals, padded on the left; apart from the column before
+/// even where it is too long.
 std::string Column(double number, int width, int decimals);
 
 }  // namespace celt::cli

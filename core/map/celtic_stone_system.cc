@@ -50,18 +50,6 @@ constexpr std::array<ParameterInfo, 11> kParameters = {{
      .description = "g of the section in the body frame, crossed with g increasing"},
 }};
 
-StoneParameters StoneOf(const Parameters& p) {
-  return {.inertia1 = p.at("inertia_1"),
-          .inertia2 = p.at("inertia_2"),
-          .inertia3 = p.at("inertia_3"),
-          .mass = p.at("mass"),
-          .gravity = p.at("gravity"),
-          .radius1 = p.at("radius_1"),
-          .radius2 = p.at("radius_2"),
-          .height = p.at("height"),
-          .delta = p.at("delta")};
-}
-
 class CelticStoneSections final : public System {
  public:
   std::string_view name() const override { return "celtic-stone"; }
@@ -84,7 +72,7 @@ class CelticStoneSections final : public System {
  private:
   absl::StatusOr<std::unique_ptr<Map>> Make(const Parameters& parameters,
                                             const Numerics& numerics) const override {
-    const StoneParameters stone_parameters = StoneOf(parameters);
+    const StoneParameters stone_parameters = StoneParametersOf(parameters);
     if (absl::Status status = CheckStone(stone_parameters); !status.ok()) return status;
     const CelticStone stone(stone_parameters);
     const double angle = parameters.at("section_angle");
@@ -95,6 +83,18 @@ class CelticStoneSections final : public System {
 };
 
 }  // namespace
+
+StoneParameters StoneParametersOf(const Parameters& parameters) {
+  return {.inertia1 = parameters.at("inertia_1"),
+          .inertia2 = parameters.at("inertia_2"),
+          .inertia3 = parameters.at("inertia_3"),
+          .mass = parameters.at("mass"),
+          .gravity = parameters.at("gravity"),
+          .radius1 = parameters.at("radius_1"),
+          .radius2 = parameters.at("radius_2"),
+          .height = parameters.at("height"),
+          .delta = parameters.at("delta")};
+}
 
 const System& CelticStoneSystem() {
   static const CelticStoneSections system;

@@ -1,9 +1,11 @@
 #include "server/plans/convert.h"
 
+#include <numbers>
 #include <string>
 
 #include "absl/strings/str_cat.h"
 #include "core/model/andoyer.h"
+#include "core/model/angle.h"
 
 namespace celt::plans {
 namespace {
@@ -128,5 +130,7 @@ v1::Point PointFrame::FromPoint(const Point& point) const {
   result.set_h_over_g(shown[2]);
   return result;
 }
+
+double PointFrame::FromG(double g) const { return paper_ ? WrapToTurn(g - std::numbers::pi) : g; }
 
 }  // namespace celt::plans

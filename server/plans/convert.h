@@ -27,6 +27,8 @@ class PointFrame {
   /// The point in the map's own coordinates.
   absl::StatusOr<Point> ToPoint(const v1::Point& point) const;
   v1::Point FromPoint(const Point& point) const;
+  /// The Andoyer-Deprit angle g [rad] of the stone, given in the body frame.
+  double FromG(double g) const;
 
  private:
   Point Exchange(const Point& point) const;
