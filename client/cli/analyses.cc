@@ -2,6 +2,7 @@
 #include "client/cli/fixed_point.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/orbit.h"
+#include "client/cli/reproduce.h"
 #include "client/cli/section.h"
 #include "client/cli/sweep.h"
 
@@ -14,6 +15,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeSweep());
   analyses.push_back(MakeFixedPoint());
   analyses.push_back(MakeOrbit());
+  analyses.push_back(MakeReproduce());
   return analyses;
 }
 

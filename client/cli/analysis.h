@@ -8,8 +8,11 @@
 #include "CLI/App.hpp"
 #include "absl/status/status.h"
 #include "celt/v1/job.pb.h"
+#include "client/cli/exit_code.h"
 
 namespace celt::cli {
+
+class Session;
 
 /// A row of a csv table: names of the columns with the cells.
 using CsvRow = std::vector<std::pair<std::string, std::string>>;
@@ -48,6 +51,8 @@ class Analysis {
   virtual std::string Brief(const v1::Result&) const { return ""; }
   /// The result for people, lines ended.
   virtual std::string Table(const v1::Job& job, const v1::Result& result) const = 0;
+  /// What is left to do when the result is printed: pictures, say.
+  virtual ExitCode Afterwards(const Session&) const { return kDone; }
 };
 
 using Analyses = std::vector<std::unique_ptr<Analysis>>;

@@ -38,7 +38,8 @@ class Compute : public Command {
     const auto job = session.client().Submit(request_);
     if (!job.ok()) return session.Fail(job.status());
     if (detach_) return PrintId(session, job->id());
-    return Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = true});
+    const ExitCode code = Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = true});
+    return code == kDone ? analysis_.Afterwards(session) : code;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "server/plans/lyapunov_spec.h"
 #include "server/plans/orbit_plan.h"
 #include "server/plans/orbit_spec.h"
+#include "server/plans/reproduce_plan.h"
 #include "server/plans/section_plan.h"
 #include "server/plans/sweep_plan.h"
 
@@ -25,6 +26,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
       return Analysis{ResolveOrbit, MakeOrbitPlan};
     case v1::JobSpec::kSection:
       return Analysis{ResolveSection, MakeSectionPlan};
+    case v1::JobSpec::kReproduce:
+      return Analysis{ResolveReproduce, MakeReproducePlan};
     case v1::JobSpec::kSweep:
       return Analysis{ResolveSweep, MakeSweepPlan};
     case v1::JobSpec::kFixedPoint:

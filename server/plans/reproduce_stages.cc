@@ -1,0 +1,158 @@
+// The rows on the stages of the attractor's life: figures 5 and 7 of the paper.
+
+#include <string>
+
+#include "absl/strings/match.h"
+#include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
+#include "server/jobs/status_macros.h"
+#include "server/plans/reproduce_items.h"
+
+namespace celt::plans {
+namespace {
+
+absl::StatusOr<v1::LyapunovResult> SpectrumAt(const Reproduction& reproduction, double energy,
+                                              const v1::Point& start) {
+  v1::JobSpec spec = reproduction.At(energy);
+  v1::LyapunovSpec& lyapunov = *spec.mutable_lyapunov();
+  lyapunov.set_iterates(reproduction.Pick(50'000, 10'000));
+  lyapunov.set_transient(reproduction.Pick(5000, 1000));
+  lyapunov.set_orbits(8);
+  *lyapunov.mutable_start() = start;
+  CELT_ASSIGN_OR_RETURN(const v1::Result answer, reproduction.Run(spec));
+  return answer.lyapunov();
+}
+
+/// Where the orbit is after so many iterates.
+absl::StatusOr<v1::Point> Settle(const Reproduction& reproduction, double energy,
+                                 const v1::Point& start, std::int64_t iterates) {
+  v1::JobSpec spec = reproduction.At(energy);
+  spec.mutable_section()->set_iterates(1);
+  spec.mutable_section()->set_transient(iterates);
+  *spec.mutable_section()->mutable_start() = start;
+  CELT_ASSIGN_OR_RETURN(const v1::Result answer, reproduction.Run(spec));
+  return answer.section().last();
+}
+
+std::string RegimeText(const v1::LyapunovResult& result) {
+  std::string text;
+  switch (result.regime()) {
+    case v1::REGIME_PERIODIC:
+      text = "periodic";
+      break;
+    case v1::REGIME_INVARIANT_CURVE:
+      text = "invariant curve";
+      break;
+    case v1::REGIME_CHAOS:
+      text = "chaos";
+      break;
+    case v1::REGIME_PSEUDO_HYPERBOLIC_CANDIDATE:
+      text = "chaos, pseudo-hyperbolic candidate";
+      break;
+    default:
+      text = "not told";
+  }
+  return absl::StrCat(
+      text,
+      ", Λ1 = ", Digits(result.exponents_per_iterate(0), result.standard_error_per_iterate(0)));
+}
+
+bool IsRegular(const v1::LyapunovResult& result) {
+  return result.regime() == v1::REGIME_PERIODIC || result.regime() == v1::REGIME_INVARIANT_CURVE;
+}
+
+bool IsChaotic(const v1::LyapunovResult& result) {
+  return result.regime() == v1::REGIME_CHAOS ||
+         result.regime() == v1::REGIME_PSEUDO_HYPERBOLIC_CANDIDATE;
+}
+
+/// A cycle that attracts: found from where an orbit settles.
+absl::StatusOr<v1::ReproduceRecord> StableCycleRow(const Reproduction& reproduction, double energy,
+                                                   int period, const char* name) {
+  constexpr std::int64_t kSettle = 5000;
+  CELT_ASSIGN_OR_RETURN(const v1::Point settled, Settle(reproduction, energy, {}, kSettle));
+  v1::JobSpec spec = reproduction.At(energy);
+  spec.mutable_fixed_point()->set_period(period);
+  *spec.mutable_fixed_point()->mutable_near() = settled;
+  CELT_ASSIGN_OR_RETURN(const v1::Result answer, reproduction.Run(spec));
+  const v1::Cycle& cycle = answer.fixed_point().cycles(0);
+  return MakeRow(StatementRow{
+      .section = "Fig. 5",
+      .quantity = absl::StrFormat("E = %g: the attractor is the stable %s", energy, name),
+      .paper = "holds",
+      .computed = absl::StrCat(cycle.type(), " of period ", cycle.period()),
+      .holds = cycle.period() == period && absl::StartsWith(cycle.type(), "stable")});
+}
+
+}  // namespace
+
+absl::StatusOr<ReproduceRows> BirthRows(const Reproduction& reproduction) {
+  ReproduceRows rows;
+  CELT_ASSIGN_OR_RETURN(rows.emplace_back(), StableCycleRow(reproduction, 747, 1, "fixed point O"));
+  CELT_ASSIGN_OR_RETURN(rows.emplace_back(),
+                        StableCycleRow(reproduction, 748.4, 2, "cycle P of period 2"));
+  for (const double energy : {750.0, 752.0, 754.0}) {
+    CELT_ASSIGN_OR_RETURN(const v1::LyapunovResult result, SpectrumAt(reproduction, energy, {}));
+    rows.push_back(
+        MakeRow(StatementRow{.section = energy == 750   ? "Fig. 5"
+                                        : energy == 752 ? "Fig. 6"
+                                                        : "Fig. 7",
+                             .quantity = absl::StrFormat(
+                                 "E = %g: a discrete Lorenz attractor, by its exponents", energy),
+                             .paper = "holds",
+                             .computed = RegimeText(result),
+                             .holds = IsChaotic(result)}));
+  }
+  return rows;
+}
+
+absl::StatusOr<ReproduceRows> DestructionRows(const Reproduction& reproduction) {
+  ReproduceRows rows;
+  for (const double energy : {755.0, 765.0, 770.0, 775.0}) {
+    CELT_ASSIGN_OR_RETURN(const v1::LyapunovResult result, SpectrumAt(reproduction, energy, {}));
+    const bool chaos = energy == 765;
+    rows.push_back(MakeRow(
+        StatementRow{.section = "Fig. 7",
+                     .quantity = absl::StrFormat(chaos ? "E = %g: chaos, not of Lorenz type"
+                                                       : "E = %g: a resonant regular regime",
+                                                 energy),
+                     .paper = chaos ? "very probably" : "holds",
+                     .computed = RegimeText(result),
+                     .holds = chaos ? IsChaotic(result) : IsRegular(result)}));
+  }
+  return rows;
+}
+
+absl::StatusOr<ReproduceRows> BreakdownRows(const Reproduction& reproduction) {
+  // From an arbitrary start one falls on other attractors.
+  constexpr std::int64_t kSettle = 3000;
+  constexpr double kOnAttractor = 0.7;  // mean return time; 0.78 on it, 0.56 on the other
+  v1::Point at;
+  double last = 0;
+  ReproduceRows rows;
+  for (double energy = 774; energy <= 792; energy += 2) {
+    CELT_ASSIGN_OR_RETURN(at, Settle(reproduction, energy, at, kSettle));
+    CELT_ASSIGN_OR_RETURN(const v1::LyapunovResult result, SpectrumAt(reproduction, energy, at));
+    if (energy == 780) {
+      rows.push_back(
+          MakeRow(StatementRow{.section = "Fig. 7",
+                               .quantity = "E = 780: torus chaos",
+                               .paper = "holds",
+                               .computed = RegimeText(result),
+                               .holds = IsChaotic(result),
+                               .remark = "reached by following the attractor from 774"}));
+    }
+    if (result.mean_return_time() < kOnAttractor) break;
+    last = energy;
+  }
+  rows.push_back(MakeRow(
+      StatementRow{.section = "3.3, 4",
+                   .quantity = "nothing remains of the attractor for E > 790",
+                   .paper = "holds",
+                   .computed = absl::StrFormat("followed to %g, gone at %g", last, last + 2),
+                   .holds = last >= 780 && last <= 790,
+                   .remark = "carried upward from 774 in steps of 2"}));
+  return rows;
+}
+
+}  // namespace celt::plans
