@@ -26,7 +26,7 @@ absl::StatusOr<v1::Point> Attractor(FigureData& data, const std::string& name, d
                                     std::int64_t iterates) {
   v1::JobSpec spec = At(energy);
   v1::SectionSpec& section = *spec.mutable_section();
-  *section.mutable_start() = start;
+  if (start.has_l()) *section.mutable_start() = start;
   section.set_transient(transient);
   section.set_iterates(iterates);
   const auto result = data.Records(name, spec);
@@ -158,7 +158,7 @@ absl::Status BifurcationDiagram(FigureData& data) {
   for (int i = 0; i < kNodes; ++i) {
     const double energy = kFrom + (kTo - kFrom) * i / (kNodes - 1);
     v1::JobSpec spec = At(energy);
-    *spec.mutable_section()->mutable_start() = at;
+    if (at.has_l()) *spec.mutable_section()->mutable_start() = at;
     spec.mutable_section()->set_transient(1000);
     spec.mutable_section()->set_iterates(200);
     const auto add = [&](const v1::Record& record) {

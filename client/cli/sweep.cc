@@ -8,6 +8,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
+#include "client/cli/fixed_point.h"
 #include "client/cli/format.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/option.h"
@@ -69,6 +70,7 @@ class Sweep : public Analysis {
   Sweep() {
     inner_.push_back(MakeLyapunov());
     inner_.push_back(MakeSection());
+    inner_.push_back(MakeFixedPoint());
   }
 
   std::string command() const override { return "sweep"; }

@@ -48,16 +48,15 @@ void AddFixedPoint(const v1::Cycle& saddle, ReproduceRows& rows) {
 }
 
 v1::ReproduceRecord LorenzTestRow(const v1::Cycle& saddle) {
-  bool holds = saddle.lorenz_conditions_size() > 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (const v1::Inequality& condition : saddle.lorenz_conditions()) {
-    holds = holds && condition.holds();
-    least = std::min(least, condition.margin());
-  }
+  const bool holds =
+      saddle.multipliers_size() == 3 &&
+      std::all_of(saddle.lorenz_conditions().begin(), saddle.lorenz_conditions().end(),
+                  [](const v1::Inequality& condition) { return condition.holds(); });
+  const double product = holds ? saddle.multipliers(0).re() * saddle.multipliers(1).re() : 0;
   return MakeRow(StatementRow{.section = "3.2, 1",
                               .quantity = "|λ2| < |λ1| < 1 < |γ|, signs, |λ1 γ| > 1",
                               .paper = "holds",
-                              .computed = absl::StrFormat("least margin %.4f", least),
+                              .computed = absl::StrFormat("|λ1 γ| = %.6f", std::abs(product)),
                               .holds = holds});
 }
 

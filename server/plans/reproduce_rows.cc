@@ -15,7 +15,8 @@ namespace celt::plans {
 v1::JobSpec Reproduction::At(double energy) const {
   v1::JobSpec spec;
   *spec.mutable_system() = base_.system();
-  *spec.mutable_numerics() = base_.numerics();
+  // Each kind of job has a tolerance of its own.
+  spec.mutable_numerics()->set_engine(base_.numerics().engine());
   spec.set_frame(base_.frame());
   (*spec.mutable_system()->mutable_parameters())["energy"] = energy;
   return spec;

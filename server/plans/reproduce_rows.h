@@ -11,7 +11,7 @@ namespace celt::plans {
 /// What the items of the paper's table are made with: jobs on the paper's stone, and rows.
 class Reproduction {
  public:
-  /// `base` is a resolved specification: its system and numerics are those of all the jobs.
+  /// `base` is a resolved specification: its system, engine and frame are those of all the jobs.
   Reproduction(const v1::JobSpec& base, bool quick, const jobs::StopRequested& stop)
       : base_(base), quick_(quick), stop_(stop) {}
 

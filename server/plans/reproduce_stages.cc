@@ -18,10 +18,12 @@ absl::StatusOr<v1::LyapunovResult> SpectrumAt(const Reproduction& reproduction, 
   lyapunov.set_iterates(reproduction.Pick(50'000, 10'000));
   lyapunov.set_transient(reproduction.Pick(5000, 1000));
   lyapunov.set_orbits(8);
-  *lyapunov.mutable_start() = start;
+  if (start.has_l()) *lyapunov.mutable_start() = start;
   CELT_ASSIGN_OR_RETURN(const v1::Result answer, reproduction.Run(spec));
   return answer.lyapunov();
 }
+
+// A start without coordinates is the known one.
 
 /// Where the orbit is after so many iterates.
 absl::StatusOr<v1::Point> Settle(const Reproduction& reproduction, double energy,
@@ -29,7 +31,7 @@ absl::StatusOr<v1::Point> Settle(const Reproduction& reproduction, double energy
   v1::JobSpec spec = reproduction.At(energy);
   spec.mutable_section()->set_iterates(1);
   spec.mutable_section()->set_transient(iterates);
-  *spec.mutable_section()->mutable_start() = start;
+  if (start.has_l()) *spec.mutable_section()->mutable_start() = start;
   CELT_ASSIGN_OR_RETURN(const v1::Result answer, reproduction.Run(spec));
   return answer.section().last();
 }
