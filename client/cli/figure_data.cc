@@ -50,8 +50,13 @@ absl::Status RunGnuplot(const std::filesystem::path& folder, const std::string& 
 
 }  // namespace
 
-FigureData::FigureData(const Session& session, std::filesystem::path folder)
-    : session_(session), folder_(std::move(folder)), analyses_(MakeAnalyses()) {}
+FigureData::FigureData(const client::Client& client, Terminal& terminal, std::stop_token interrupt,
+                       std::filesystem::path folder)
+    : client_(client),
+      terminal_(terminal),
+      interrupt_(std::move(interrupt)),
+      folder_(std::move(folder)),
+      analyses_(MakeAnalyses()) {}
 
 absl::Status FigureData::Open() const {
   std::error_code error;
@@ -74,19 +79,19 @@ const Analysis& FigureData::AnalysisOf(const v1::JobSpec& spec) const {
 absl::StatusOr<v1::Result> FigureData::Run(
     const std::string& title, const v1::JobSpec& spec,
     absl::FunctionRef<void(const v1::Record&)> on_record) const {
-  session_.terminal().Progress(absl::StrCat("  data of the figures: ", title));
+  terminal_.Progress(absl::StrCat("  data of the figures: ", title));
   v1::SubmitJobRequest request;
   *request.mutable_spec() = spec;
-  const auto job = session_.client().Submit(request);
+  const auto job = client_.Submit(request);
   if (!job.ok()) return job.status();
   const auto pass_on = [&](const v1::Record& record) {
     on_record(record);
     return absl::OkStatus();
   };
-  auto result = session_.client().Stream(job->id(), 0, pass_on, session_.interrupt());
-  if (!session_.interrupt().stop_requested()) return result;
+  auto result = client_.Stream(job->id(), 0, pass_on, interrupt_);
+  if (!interrupt_.stop_requested()) return result;
   constexpr absl::Duration kPatience = absl::Seconds(2);
-  static_cast<void>(session_.client().Cancel(job->id(), kPatience));
+  static_cast<void>(client_.Cancel(job->id(), kPatience));
   return absl::CancelledError("interrupted");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 
 #include "absl/functional/function_ref.h"
@@ -8,15 +9,17 @@
 #include "absl/status/statusor.h"
 #include "celt/v1/job.pb.h"
 #include "client/cli/analysis.h"
-#include "client/cli/session.h"
+#include "client/cli/terminal.h"
+#include "client/client.h"
 
 namespace celt::cli {
 
 /// A folder of figures in the making: data from jobs, and scripts that plot them.
 class FigureData {
  public:
-  /// `session` must outlive this.
-  FigureData(const Session& session, std::filesystem::path folder);
+  /// `client` and `terminal` must outlive this; `interrupt` is asked to stop at Ctrl-C.
+  FigureData(const client::Client& client, Terminal& terminal, std::stop_token interrupt,
+             std::filesystem::path folder);
 
   /// Makes the folder. FAILED_PRECONDITION: it can't be.
   absl::Status Open() const;
@@ -33,7 +36,9 @@ class FigureData {
  private:
   const Analysis& AnalysisOf(const v1::JobSpec& spec) const;
 
-  const Session& session_;
+  const client::Client& client_;
+  Terminal& terminal_;
+  const std::stop_token interrupt_;
   const std::filesystem::path folder_;
   const Analyses analyses_;
 };

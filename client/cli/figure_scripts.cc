@@ -78,7 +78,7 @@ std::string ExponentScript(const std::string& name, const std::string& sweep) {
       Preamble(name, 800, 420),
       "set title 'The largest exponent, with three standard errors'\n"
       "set xlabel 'E'\nset ylabel 'Λ_1 per iterate'\nset yrange [0:*]\n"
-      "set format x '%.3f'\nplot '",
+      "set format x '%.3f'\nset xtics 0.002\nplot '",
       sweep,
       ".csv' using (column('value_1')):(column('exponent_per_iterate_1')):"
       "(3*column('standard_error_per_iterate_1')) with yerrorbars pt 7 ps 0.4 lc rgb "

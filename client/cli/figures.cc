@@ -176,7 +176,7 @@ absl::Status BifurcationDiagram(FigureData& data) {
 }  // namespace
 
 ExitCode MakeFigures(const Session& session, const std::string& folder) {
-  FigureData data(session, folder);
+  FigureData data(session.client(), session.terminal(), session.interrupt(), folder);
   absl::Status status = data.Open();
   for (const auto make : {BesideLorenz, ExponentGraph, StagesOfBirth, ManifoldAndAttractor,
                           StagesOfDestruction, LmpGraphs, BifurcationDiagram}) {

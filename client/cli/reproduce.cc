@@ -11,6 +11,7 @@ namespace celt::cli {
 namespace {
 
 constexpr char kGroup[] = "Reproduction";
+constexpr int kRemark = 15;  // column where a remark begins, under its row's quantity
 
 std::string Mark(v1::ReproduceVerdict verdict) {
   switch (verdict) {
@@ -79,7 +80,7 @@ class Reproduce : public Analysis {
     absl::StrAppend(
         &line, Columns(Mark(row.verdict()), row.section(), row.quantity(), row.paper(), computed));
     if (!row.remark().empty()) {
-      absl::StrAppend(&line, Columns("", "", "  " + row.remark(), "", ""));
+      absl::StrAppend(&line, std::string(kRemark, ' '), row.remark(), "\n");
     }
     return line;
   }
