@@ -5,15 +5,19 @@
 #include <optional>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_join.h"
 #include "client/cli/cycle_text.h"
 #include "client/cli/fixed_point_table.h"
+#include "client/cli/format.h"
 #include "client/cli/option.h"
+#include "client/cli/point.h"
 #include "client/cli/system_options.h"
 
 namespace celt::cli {
 namespace {
 
 constexpr char kGroup[] = "Fixed points and cycles";
+constexpr int kUsualDimension = 3;
 
 class FixedPoint : public Analysis {
  public:
@@ -66,6 +70,36 @@ class FixedPoint : public Analysis {
     return row;
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
+
+  /// Of the first cycle; coordinates and multipliers by number, whatever the system.
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    const v1::FixedPointResult& found = result.fixed_point();
+    const bool any = found.cycles_size() > 0;
+    const v1::Cycle& cycle = any ? found.cycles(0) : v1::Cycle::default_instance();
+    const std::vector<double> x = any ? Coordinates(cycle.points(0)) : std::vector<double>();
+    CsvRow row = {{"cycles", absl::StrCat(found.cycles_size())},
+                  {"type", cycle.type()},
+                  {"return_time", any ? Shortest(cycle.return_time()) : ""}};
+    for (std::size_t i = 0; i < kUsualDimension; ++i) {
+      row.emplace_back(absl::StrCat("x_", i + 1), i < x.size() ? Shortest(x[i]) : "");
+    }
+    for (int i = 0; i < kUsualDimension; ++i) {
+      const bool there = i < cycle.multipliers_size();
+      row.emplace_back(absl::StrCat("multiplier_re_", i + 1),
+                       there ? Shortest(cycle.multipliers(i).re()) : "");
+      row.emplace_back(absl::StrCat("multiplier_im_", i + 1),
+                       there ? Shortest(cycle.multipliers(i).im()) : "");
+    }
+    return row;
+  }
+
+  std::string Brief(const v1::Result& result) const override {
+    std::vector<std::string> cycles;
+    for (const v1::Cycle& cycle : result.fixed_point().cycles()) {
+      cycles.push_back(absl::StrCat(cycle.type(), " at ", PointText(cycle.points(0))));
+    }
+    return absl::StrJoin(cycles, "; ");
+  }
 
   std::string Table(const v1::Job& job, const v1::Result& result) const override {
     return FixedPointTable(job.spec(), result.fixed_point());

@@ -162,7 +162,8 @@ class Sweep : public Analysis {
     for (const auto& analysis : inner_) {
       if (analysis->field() == outcome) return *(last_ = analysis.get());
     }
-    return last_ != nullptr ? *last_ : *inner_.front();
+    if (last_ != nullptr) return *last_;
+    return chosen_ != nullptr ? *chosen_ : *inner_.front();
   }
 
   v1::Result ResultOf(const v1::SweepRecord& sweep) const {

@@ -8,6 +8,7 @@
 #include "server/plans/orbit_spec.h"
 #include "server/plans/reproduce_plan.h"
 #include "server/plans/section_plan.h"
+#include "server/plans/sweep_grid.h"
 #include "server/plans/sweep_plan.h"
 
 namespace celt::plans {
@@ -15,6 +16,13 @@ namespace {
 
 /// For what is located rather than averaged: cycles and their multipliers to 1e-10.
 constexpr double kFineTolerance = 1e-13;
+
+double ToleranceOfNodes(const v1::JobSpec& spec) {
+  v1::JobSpec node;
+  PutAnalysis(spec.sweep(), node);
+  const auto analysis = FindAnalysis(node);
+  return analysis.ok() ? analysis->tolerance : Numerics().tolerance;
+}
 
 }  // namespace
 
@@ -29,7 +37,7 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
     case v1::JobSpec::kReproduce:
       return Analysis{ResolveReproduce, MakeReproducePlan};
     case v1::JobSpec::kSweep:
-      return Analysis{ResolveSweep, MakeSweepPlan};
+      return Analysis{ResolveSweep, MakeSweepPlan, ToleranceOfNodes(spec)};
     case v1::JobSpec::kFixedPoint:
       return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance};
     default:

@@ -86,6 +86,21 @@ TEST(SweepCsv, NodesThatFailedHaveTheColumnsOfTheOthers) {
   EXPECT_EQ(bad[2].second, "lost");
 }
 
+TEST(SweepCsv, ColumnsAreThoseOfTheAnalysisAskedForWhenTheFirstNodeFails) {
+  FakeService service;
+  v1::StreamResultsResponse failed;
+  *failed.mutable_record() = RecordOf(0, true);
+  failed.mutable_record()->set_sequence(1);
+  v1::StreamResultsResponse result;
+  result.mutable_result()->mutable_sweep()->set_nodes(1);
+  service.scripts = {{{failed, result}, {}}};
+  const Outcome outcome =
+      RunCelt({"sweep", "--axis", "energy=1:2:2", "fixed-point", "--output", "csv"},
+              {.server = service.address()});
+  EXPECT_NE(outcome.out.find("value_1,error,cycles,type,return_time,x_1"), std::string::npos)
+      << outcome.out;
+}
+
 TEST(SweepTable, HasALineForEachNode) {
   const auto sweep = MakeSweep();
   EXPECT_EQ(sweep->Line(RecordOf(0, false)), "  0.5  Λ   0.25000   0.00000  -0.50000  not told\n");

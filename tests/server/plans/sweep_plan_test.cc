@@ -125,6 +125,14 @@ TEST(SweepPlan, KeepsAUnitToAboutASecond) {
   EXPECT_EQ(chains("iterates: 900000 orbits: 1 transient: 100"), 10'000'000);
 }
 
+TEST(SweepPlan, TakesTheToleranceOfTheAnalysis) {
+  const std::string axis = "sweep { axes { parameter: 'energy' from: 751 to: 752 nodes: 2 } ";
+  for (const std::string analysis : {"lyapunov {}", "fixed_point {}"}) {
+    EXPECT_EQ(Resolved(axis + analysis + "}").numerics().tolerance(),
+              Resolved(analysis).numerics().tolerance());
+  }
+}
+
 TEST(SweepPlan, RefusesBadSpecificationsNamingTheField) {
   const std::vector<BadSpecification> table = {
       {"sweep { lyapunov {} }", "axes: 0 is not allowed", "[1, 2]"},
