@@ -55,8 +55,8 @@ class Lyapunov : public Analysis {
     constexpr IntegerRange kInt32 = {.highest = std::numeric_limits<std::int32_t>::max()};
     AddInteger(app, "--iterates", iterates_,
                {kGroup, "N", "iterates of the map in all, over all orbits (default 100000)"});
-    AddInteger(app, "--orbits", orbits_, {kGroup, "N", "independent orbits, 1 to 4096 (default 8)"},
-               kInt32);
+    AddInteger(app, "--orbits", orbits_,
+               {kGroup, "N", "independent orbits, 1 to 4096 (default 16)"}, kInt32);
     AddInteger(app, "--transient", transient_,
                {kGroup, "N", "iterates of each orbit before anything is measured (default 2000)"});
     AddUnsigned(app, "--seed", seed_,

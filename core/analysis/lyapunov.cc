@@ -24,7 +24,7 @@ Estimate Ratio(std::span<const LyapunovSums> batches, Numerator a, Denominator d
   }
   Estimate estimate = {.value = sum_a / sum_d, .standard_error = 0};
   const auto count = static_cast<double>(batches.size());
-  if (batches.size() < 2) return estimate;
+  if (batches.size() < kFewestBatches) return estimate;
   double squares = 0;
   for (const LyapunovSums& batch : batches) {
     const double residual = a(batch) - estimate.value * d(batch);

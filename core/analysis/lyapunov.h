@@ -37,10 +37,13 @@ absl::StatusOr<std::vector<LyapunovSums>> AdvanceFrames(const Map& map,
                                                         std::span<FramedOrbit> orbits,
                                                         std::int64_t iterates, LyapunovTick tick);
 
+/// From fewer batches than this no standard error is told: their scatter would say too little.
+inline constexpr int kFewestBatches = 4;
+
 /// An estimate with its standard error.
 struct Estimate {
   double value = 0;
-  double standard_error = 0;  ///< 0 from a single batch, which says nothing
+  double standard_error = 0;  ///< 0 from fewer than kFewestBatches
 };
 
 /// An inequality of the paper's §3.2 on the exponents: lhs > 0.
@@ -66,9 +69,10 @@ struct LyapunovReport {
 };
 
 /// The spectrum from batches of equal weight per iterate, with standard errors by batch means: the
-/// scatter of the batches about their common mean. Batches should be much longer than the attractor
-/// forgets; several to an orbit and several orbits make the error honest about both. Precondition:
-/// at least one batch, none without iterates.
+/// scatter of the batches about their common mean. One batch an orbit is best where there are
+/// orbits enough: what an exponent's sum has at the ends of a batch is taken for scatter, and half
+/// of it cancels between batches that follow each other. Precondition: at least one batch, none
+/// without iterates.
 LyapunovReport Summarize(std::span<const LyapunovSums> batches);
 
 /// Kaplan & Yorke's dimension j + (Λ1 + … + Λj)/|Λ(j+1)| of exponents in decreasing order; the

@@ -23,7 +23,7 @@ bool Zero(const Estimate& a, const Estimate& other) {
 
 Regime RegimeOf(const LyapunovReport& report) {
   std::vector<Estimate> exponents = report.per_iterate;
-  if (exponents.size() != 3 || report.batches < 2) return Regime::kUnknown;
+  if (exponents.size() != 3 || report.batches < kFewestBatches) return Regime::kUnknown;
   std::sort(exponents.begin(), exponents.end(),
             [](const Estimate& a, const Estimate& b) { return a.value > b.value; });
   const Estimate& first = exponents[0];

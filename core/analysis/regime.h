@@ -19,8 +19,8 @@ enum class Regime {
 
 /// An exponent has a sign when it is more than three standard errors from zero. It is zero when it
 /// is not, and three errors are less than a hundredth of the next exponent: so small that no chaos
-/// worth the name would hide in them. What is neither is unknown, as is everything from a single
-/// batch, which has no errors.
+/// worth the name would hide in them. What is neither is unknown, as is everything from
+/// fewer than kFewestBatches.
 Regime RegimeOf(const LyapunovReport& report);
 
 }  // namespace celt

@@ -9,14 +9,13 @@
 #include "server/jobs/status_macros.h"
 #include "server/plans/lyapunov_answer.h"
 #include "server/plans/lyapunov_spec.h"
-#include "server/plans/lyapunov_state.h"
 #include "server/plans/serialize.h"
 #include "server/plans/spec.h"
 
 namespace celt::plans {
 namespace {
 
-constexpr std::int64_t kMaxGroup = 16;
+constexpr std::int64_t kGroup = 8;
 
 /// Iterates of all orbits of a unit, about a second's worth: an iterate takes some 2 ms by
 /// SUNDIALS, 10 μs by the fast engine, less by a formula. A matter of the specification alone,
@@ -26,7 +25,7 @@ std::int64_t UnitBudget(const v1::JobSpec& spec) {
   return engine == v1::ENGINE_CVODE || engine == v1::ENGINE_ARKODE ? 500 : 100'000;
 }
 
-std::int64_t DefaultGroup(std::int64_t orbits) { return std::min(kMaxGroup, (orbits + 1) / 2); }
+std::int64_t DefaultGroup(std::int64_t orbits) { return std::min(kGroup, orbits); }
 
 LyapunovSchedule MakeSchedule(const v1::JobSpec& spec) {
   const v1::LyapunovSpec& lyapunov = spec.lyapunov();
@@ -105,43 +104,50 @@ absl::StatusOr<jobs::UnitOutput> LyapunovPlan::Run(jobs::UnitId unit, std::strin
   CELT_ASSIGN_OR_RETURN(const std::vector<LyapunovSums> sums, Advance(unit, orbits, stop));
   jobs::UnitOutput output;
   for (const LyapunovSums& sum : sums) output.work += static_cast<double>(sum.iterates);
-  if (!schedule_.IsTransient(unit.step)) output.payload = EncodeSums(sums);
+  if (!schedule_.IsTransient(unit.step)) output.payload = EncodeTally(Tally(unit, sums, orbits));
   output.checkpoint = EncodeOrbits(orbits);
   return output;
+}
+
+LyapunovTally LyapunovPlan::Tally(jobs::UnitId unit, std::vector<LyapunovSums> sums,
+                                  const std::vector<FramedOrbit>& orbits) const {
+  LyapunovTally tally;
+  tally.sums = std::move(sums);
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    if (schedule_.IsSampled(unit.step, FirstOrbit(unit.chain) + static_cast<std::int64_t>(i)))
+      tally.sample.push_back(orbits[i]);
+  }
+  return tally;
 }
 
 absl::StatusOr<jobs::Collected> LyapunovPlan::Collect(jobs::UnitId unit, std::string_view state,
                                                       std::string_view payload) const {
   if (schedule_.IsTransient(unit.step)) return jobs::Collected{std::string(state), {}};
-  CELT_ASSIGN_OR_RETURN(std::vector<LyapunovSums> batches, DecodeSums(state));
-  CELT_ASSIGN_OR_RETURN(const std::vector<LyapunovSums> sums, DecodeSums(payload));
-  // Batch after batch, and the blocks in each: those that are complete come first.
-  batches.resize(schedule_.blocks() * schedule_.batches());
+  CELT_ASSIGN_OR_RETURN(LyapunovTally all, DecodeTally(state));
+  CELT_ASSIGN_OR_RETURN(const LyapunovTally part, DecodeTally(payload));
+  // Batch after batch, and the blocks in each.
+  all.sums.resize(schedule_.blocks() * schedule_.batches());
   std::int64_t orbit = FirstOrbit(unit.chain);
-  for (const LyapunovSums& sum : sums) {
-    batches[schedule_.BatchOf(unit.step) * schedule_.blocks() + schedule_.BlockOf(orbit)] += sum;
+  for (const LyapunovSums& sums : part.sums) {
+    all.sums[schedule_.BatchOf(unit.step) * schedule_.blocks() + schedule_.BlockOf(orbit)] += sums;
     ++orbit;
   }
+  all.sample.insert(all.sample.end(), part.sample.begin(), part.sample.end());
   jobs::Collected collected;
-  collected.state = EncodeSums(batches);
+  collected.state = EncodeTally(all);
   if (unit.chain + 1 == chains() && schedule_.EndsRound(unit.step)) {
-    collected.records.push_back(Record(unit.step, batches));
+    v1::Record record;
+    *record.mutable_lyapunov() = ToRecord(WithoutEmpty(all.sums));
+    collected.records.push_back(Serialize(record));
   }
   return collected;
 }
 
-std::string LyapunovPlan::Record(std::int64_t step,
-                                 const std::vector<LyapunovSums>& batches) const {
-  const std::int64_t complete = schedule_.BatchesComplete(step) * schedule_.blocks();
-  v1::Record record;
-  *record.mutable_lyapunov() = ToRecord(WithoutEmpty(batches), std::span(batches).first(complete));
-  return Serialize(record);
-}
-
 absl::StatusOr<std::string> LyapunovPlan::Finish(std::string_view state) const {
-  CELT_ASSIGN_OR_RETURN(const std::vector<LyapunovSums> batches, DecodeSums(state));
+  CELT_ASSIGN_OR_RETURN(const LyapunovTally all, DecodeTally(state));
   v1::Result result;
-  *result.mutable_lyapunov() = ToResult(batches, static_cast<int>(orbits_));
+  *result.mutable_lyapunov() = ToResult(all.sums, static_cast<int>(orbits_));
+  CELT_RETURN_IF_ERROR(AddAccuracy(spec_, *map_, all.sample, *result.mutable_lyapunov()));
   return Serialize(result);
 }
 

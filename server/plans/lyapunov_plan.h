@@ -12,17 +12,18 @@
 #include "core/map/map.h"
 #include "server/jobs/plan.h"
 #include "server/plans/lyapunov_schedule.h"
+#include "server/plans/lyapunov_state.h"
 
 namespace celt::plans {
 
 /// The Lyapunov spectrum as work units. A chain is a group of orbits that are advanced together, so
 /// that an engine with several lanes has something for each; a step is a stretch of their iterates.
-/// The checkpoint is where the orbits stand, the payload each orbit's sums, the fold's state the
-/// sums by batch. Orbits are added up in their own order whatever the groups, so that these do not
-/// show in the answer.
+/// The checkpoint is where the orbits stand, the payload each orbit's sums and what it gives
+/// to the sample, the fold's state the sums by batch and the sample. Orbits are added up in their
+/// own order whatever the groups, so that these do not show in the answer.
 class LyapunovPlan final : public jobs::Plan {
  public:
-  /// `group_size` 0: up to 16 orbits, and two groups at least.
+  /// `group_size` 0: 8 orbits, as many as the fast engine has lanes on the widest machine.
   static absl::StatusOr<std::unique_ptr<LyapunovPlan>> Make(const v1::JobSpec& resolved,
                                                             std::int64_t group_size = 0);
 
@@ -44,7 +45,8 @@ class LyapunovPlan final : public jobs::Plan {
   absl::StatusOr<std::vector<LyapunovSums>> Advance(jobs::UnitId unit,
                                                     std::vector<FramedOrbit>& orbits,
                                                     const jobs::StopRequested& stop) const;
-  std::string Record(std::int64_t step, const std::vector<LyapunovSums>& batches) const;
+  LyapunovTally Tally(jobs::UnitId unit, std::vector<LyapunovSums> sums,
+                      const std::vector<FramedOrbit>& orbits) const;
 
   const v1::JobSpec spec_;
   const std::unique_ptr<Map> map_;

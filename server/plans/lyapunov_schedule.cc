@@ -5,9 +5,14 @@
 namespace celt::plans {
 namespace {
 
-constexpr std::int64_t kRounds = 64;
-constexpr std::int64_t kBatches = 4;  // of a block of orbits
-constexpr std::int64_t kBlocks = 64;  // at most
+constexpr std::int64_t kRounds = 64;       // at most
+constexpr std::int64_t kFewestRounds = 8;  // where there are iterates enough
+constexpr std::int64_t kRoundIterates =
+    100;                                    // at least, of an orbit: shorter units are not worth it
+constexpr std::int64_t kBatches = 16;       // at least, of all orbits together
+constexpr std::int64_t kBlocks = 64;        // at most
+constexpr std::int64_t kSample = 64;        // at most
+constexpr std::int64_t kSampleShare = 250;  // iterates to a point of the sample
 
 std::int64_t CeilingOfRatio(std::int64_t a, std::int64_t b) { return (a + b - 1) / b; }
 
@@ -21,10 +26,18 @@ std::int64_t PartOf(std::int64_t total, std::int64_t part, std::int64_t parts) {
   return UpTo(total, part + 1, parts) - UpTo(total, part, parts);
 }
 
+/// Batches of a block of orbits: a power of two, so that rounds can be a multiple of it.
+std::int64_t CountBatches(std::int64_t orbits, std::int64_t iterates_of_orbit) {
+  std::int64_t batches = 1;
+  while (batches * orbits < kBatches && 2 * batches <= iterates_of_orbit) batches *= 2;
+  return batches;
+}
+
 /// As many rounds as there is something to tell, each batch made of equally many.
-std::int64_t CountRounds(std::int64_t iterates_of_orbit) {
-  if (iterates_of_orbit < kBatches) return iterates_of_orbit;
-  return std::min(kRounds, iterates_of_orbit / kBatches * kBatches);
+std::int64_t CountRounds(std::int64_t iterates_of_orbit, std::int64_t batches) {
+  const std::int64_t rounds = std::clamp(iterates_of_orbit / kRoundIterates,
+                                         std::min(kFewestRounds, iterates_of_orbit), kRounds);
+  return std::max(batches, rounds / batches * batches);
 }
 
 }  // namespace
@@ -35,7 +48,8 @@ LyapunovSchedule::LyapunovSchedule(std::int64_t iterates, std::int64_t orbits,
       orbits_(orbits),
       transient_(transient),
       transient_steps_(CeilingOfRatio(transient, unit_iterates)),
-      rounds_(CountRounds(iterates / orbits)),
+      batches_(CountBatches(orbits, iterates / orbits)),
+      rounds_(CountRounds(iterates / orbits, batches_)),
       measured_steps_(0) {
   const std::int64_t longest = CeilingOfRatio(CeilingOfRatio(iterates, orbits), rounds_);
   measured_steps_ = rounds_ * CeilingOfRatio(longest, unit_iterates);
@@ -58,14 +72,16 @@ std::int64_t LyapunovSchedule::BlockOf(std::int64_t orbit) const {
   return orbit * blocks() / orbits_;
 }
 
-std::int64_t LyapunovSchedule::batches() const { return std::min(rounds_, kBatches); }
-
 std::int64_t LyapunovSchedule::BatchOf(std::int64_t step) const {
-  return (step - transient_steps_) / (measured_steps_ / batches());
+  return (step - transient_steps_) / (measured_steps_ / batches_);
 }
 
-std::int64_t LyapunovSchedule::BatchesComplete(std::int64_t step) const {
-  return BatchOf(step + 1);
+bool LyapunovSchedule::IsSampled(std::int64_t step, std::int64_t orbit) const {
+  const std::int64_t sample = std::clamp(iterates_ / kSampleShare, kSample / 8, kSample);
+  const std::int64_t orbits = std::min(orbits_, sample);
+  if (!EndsRound(step) || orbit >= orbits) return false;
+  const std::int64_t round = (step - transient_steps_) / (measured_steps_ / rounds_);
+  return (round + orbit) % std::max<std::int64_t>(rounds_ * orbits / sample, 1) == 0;
 }
 
 }  // namespace celt::plans

@@ -9,9 +9,10 @@ inline constexpr std::int64_t kMaxIterates = 1'000'000'000'000;
 
 /// Which iterates of which orbit each step of a Lyapunov job does: arithmetic alone. First come the
 /// transient's steps, then those that are measured, in rounds of equally many. A round ends with a
-/// record. An orbit's rounds make up a few batches for the standard errors; the orbits make up
-/// blocks, so that there are never many batches. None of this depends on how orbits are grouped
-/// into chains.
+/// record. An orbit's rounds make up a batch for the standard errors, or several where there are
+/// fewer than 16 orbits; the orbits make up blocks, so that there are never many batches. On the
+/// way orbits leave points behind, up to 64, evenly over orbits and rounds: a sample of the
+/// attractor. None of this depends on how orbits are grouped into chains.
 class LyapunovSchedule {
  public:
   /// `unit_iterates`: the most iterates of an orbit in a step. Precondition: all positive
@@ -31,17 +32,18 @@ class LyapunovSchedule {
   std::int64_t blocks() const;
   std::int64_t BlockOf(std::int64_t orbit) const;
   /// Batches of a block, one after the other.
-  std::int64_t batches() const;
+  std::int64_t batches() const { return batches_; }
   /// Of a block, to which a measured step belongs.
   std::int64_t BatchOf(std::int64_t step) const;
-  /// Batches of each block that are over when `step` is done.
-  std::int64_t BatchesComplete(std::int64_t step) const;
+  /// Whether where an orbit stands after a step belongs to the sample.
+  bool IsSampled(std::int64_t step, std::int64_t orbit) const;
 
  private:
   std::int64_t iterates_;
   std::int64_t orbits_;
   std::int64_t transient_;
   std::int64_t transient_steps_;
+  std::int64_t batches_;
   std::int64_t rounds_;
   std::int64_t measured_steps_;
 };

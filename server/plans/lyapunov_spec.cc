@@ -13,7 +13,7 @@ namespace celt::plans {
 namespace {
 
 constexpr std::int64_t kDefaultIterates = 100'000;
-constexpr std::int32_t kDefaultOrbits = 8;
+constexpr std::int32_t kDefaultOrbits = 16;
 constexpr std::int64_t kDefaultTransient = 2000;
 constexpr std::int32_t kMaxOrbits = 4096;
 

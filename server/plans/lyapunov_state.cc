@@ -1,6 +1,7 @@
 #include "server/plans/lyapunov_state.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "server/plans/serialize.h"
@@ -15,24 +16,17 @@ Point ToPoint(const google::protobuf::RepeatedField<double>& values) {
   return point;
 }
 
-}  // namespace
-
-std::string EncodeOrbits(std::span<const FramedOrbit> orbits) {
-  OrbitGroup group;
-  for (const FramedOrbit& orbit : orbits) {
-    Orbit& out = *group.add_orbits();
-    out.mutable_point()->Add(orbit.point.begin(), orbit.point.end());
-    const auto frame = orbit.frame.reshaped();
-    out.mutable_frame()->Add(frame.begin(), frame.end());
-  }
-  return Serialize(group);
+void Write(const FramedOrbit& orbit, Orbit& out) {
+  out.mutable_point()->Add(orbit.point.begin(), orbit.point.end());
+  const auto frame = orbit.frame.reshaped();
+  out.mutable_frame()->Add(frame.begin(), frame.end());
 }
 
-absl::StatusOr<std::vector<FramedOrbit>> DecodeOrbits(std::string_view bytes) {
-  const auto group = Parse<OrbitGroup>(bytes);
-  if (!group.ok()) return group.status();
+absl::StatusOr<std::vector<FramedOrbit>> Read(
+    const google::protobuf::RepeatedPtrField<Orbit>& stored) {
   std::vector<FramedOrbit> orbits;
-  for (const Orbit& in : group->orbits()) {
+  orbits.reserve(stored.size());
+  for (const Orbit& in : stored) {
     FramedOrbit& orbit = orbits.emplace_back();
     orbit.point = ToPoint(in.point());
     const Eigen::Index n = orbit.point.size();
@@ -43,26 +37,45 @@ absl::StatusOr<std::vector<FramedOrbit>> DecodeOrbits(std::string_view bytes) {
   return orbits;
 }
 
-std::string EncodeSums(std::span<const LyapunovSums> sums) {
-  SumsList list;
-  for (const LyapunovSums& sum : sums) {
-    Sums& out = *list.add_sums();
-    out.set_iterates(sum.iterates);
-    out.set_time(sum.time);
-    out.mutable_log_stretch()->Add(sum.log_stretch.begin(), sum.log_stretch.end());
-  }
-  return Serialize(list);
+void Write(const LyapunovSums& sums, Sums& out) {
+  out.set_iterates(sums.iterates);
+  out.set_time(sums.time);
+  out.mutable_log_stretch()->Add(sums.log_stretch.begin(), sums.log_stretch.end());
 }
 
-absl::StatusOr<std::vector<LyapunovSums>> DecodeSums(std::string_view bytes) {
-  const auto list = Parse<SumsList>(bytes);
-  if (!list.ok()) return list.status();
-  std::vector<LyapunovSums> sums;
-  for (const Sums& in : list->sums()) {
-    sums.push_back(
+}  // namespace
+
+std::string EncodeOrbits(std::span<const FramedOrbit> orbits) {
+  OrbitGroup group;
+  for (const FramedOrbit& orbit : orbits) Write(orbit, *group.add_orbits());
+  return Serialize(group);
+}
+
+absl::StatusOr<std::vector<FramedOrbit>> DecodeOrbits(std::string_view bytes) {
+  const auto group = Parse<OrbitGroup>(bytes);
+  if (!group.ok()) return group.status();
+  return Read(group->orbits());
+}
+
+std::string EncodeTally(const LyapunovTally& tally) {
+  LyapunovTallyState state;
+  for (const LyapunovSums& sums : tally.sums) Write(sums, *state.add_sums());
+  for (const FramedOrbit& orbit : tally.sample) Write(orbit, *state.add_sample());
+  return Serialize(state);
+}
+
+absl::StatusOr<LyapunovTally> DecodeTally(std::string_view bytes) {
+  const auto state = Parse<LyapunovTallyState>(bytes);
+  if (!state.ok()) return state.status();
+  LyapunovTally tally;
+  for (const Sums& in : state->sums()) {
+    tally.sums.push_back(
         {.iterates = in.iterates(), .time = in.time(), .log_stretch = ToPoint(in.log_stretch())});
   }
-  return sums;
+  auto sample = Read(state->sample());
+  if (!sample.ok()) return sample.status();
+  tally.sample = *std::move(sample);
+  return tally;
 }
 
 }  // namespace celt::plans

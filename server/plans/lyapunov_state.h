@@ -10,12 +10,18 @@
 
 namespace celt::plans {
 
-/// Orbits and sums as bytes and back, exactly. DATA_LOSS: the bytes are not what was written.
+/// Orbits and tallies as bytes and back, exactly. DATA_LOSS: the bytes are not what was written.
 
 std::string EncodeOrbits(std::span<const FramedOrbit> orbits);
 absl::StatusOr<std::vector<FramedOrbit>> DecodeOrbits(std::string_view bytes);
 
-std::string EncodeSums(std::span<const LyapunovSums> sums);
-absl::StatusOr<std::vector<LyapunovSums>> DecodeSums(std::string_view bytes);
+/// What units gather for the fold, and what the fold has gathered.
+struct LyapunovTally {
+  std::vector<LyapunovSums> sums;
+  std::vector<FramedOrbit> sample;
+};
+
+std::string EncodeTally(const LyapunovTally& tally);
+absl::StatusOr<LyapunovTally> DecodeTally(std::string_view bytes);
 
 }  // namespace celt::plans

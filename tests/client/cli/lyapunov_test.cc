@@ -24,7 +24,48 @@ TEST(LyapunovTable, SummarisesForPeople) {
 
 Necessary for pseudo-hyperbolicity, with margins:
   ✓  Λ1 > 0       20 σ
-  ✗  Λ1 + Λ2 > 0  margin unknown
+  ?  Λ1 + Λ2 > 0  margin unknown
+)");
+}
+
+TEST(LyapunovTable, MarksWhatIsNotSureAndShowsTheMapsErrorsWithWarnings) {
+  v1::LyapunovResult result;
+  result.set_iterates(10);
+  result.set_orbits(16);
+  result.set_regime(v1::REGIME_CHAOS);
+  result.mutable_accuracy()->set_map_error(3.8e-11);
+  result.mutable_accuracy()->set_jacobian_error(2e-10);
+  result.mutable_accuracy()->add_warnings("lambda2: bad");
+  result.add_map_error_per_iterate(1e-10);
+  result.add_map_error_per_iterate(5e-10);
+  const auto add = [&result](double slack, double margin) {
+    v1::Condition& condition = *result.add_conditions();
+    condition.set_name("lambda1 > 0");
+    condition.set_holds(slack > 0);
+    condition.set_margin(margin);
+  };
+  add(1, 3.5);
+  add(1, 2.5);
+  add(-1, -2.5);
+  add(-1, -3.5);
+  EXPECT_EQ(LyapunovTable({}, result),
+            R"(Lyapunov spectrum of celtic-stone
+10 iterates, 16 orbits
+
+    per iterate  per unit of time
+
+  regime              chaos
+  error of the map    3.8e-11
+    of its Jacobian   2.0e-10
+    in the exponents  5.0e-10
+
+Necessary for pseudo-hyperbolicity, with margins:
+  ✓  Λ1 > 0  3.5 σ
+  ?  Λ1 > 0  2.5 σ
+  ?  Λ1 > 0 -2.5 σ
+  ✗  Λ1 > 0 -3.5 σ
+
+warning: Λ2: bad
 )");
 }
 

@@ -40,7 +40,7 @@ TEST_F(CeltServiceTest, AcceptsAJobWithItsDefaultsFilledIn) {
   EXPECT_THAT(job.id(), SizeIs(12));
   EXPECT_EQ(job.state(), v1::Job::STATE_QUEUED);
   EXPECT_EQ(job.spec().lyapunov().seed(), 1U);
-  EXPECT_EQ(job.progress().total(), 6440);
+  EXPECT_EQ(job.progress().total(), 25640);
   EXPECT_EQ(job.progress().unit(), "iterates");
   EXPECT_GT(job.create_time().seconds(), 0);
   EXPECT_FALSE(job.has_start_time());
@@ -75,7 +75,7 @@ TEST_F(CeltServiceTest, StreamsTheSameLiveAndAfterwards) {
   EXPECT_TRUE(live.ReadAll().ok());
   ASSERT_THAT(live.messages, SizeIs(65));
   for (int i = 0; i < 64; ++i) EXPECT_EQ(live.messages[i].record().sequence(), i + 1);
-  EXPECT_EQ(live.messages.back().result().lyapunov().iterates(), 6400);
+  EXPECT_EQ(live.messages.back().result().lyapunov().iterates(), 25600);
   Results afterwards(*stub_, id);
   EXPECT_TRUE(afterwards.ReadAll().ok());
   EXPECT_EQ(afterwards.Bytes(), live.Bytes());

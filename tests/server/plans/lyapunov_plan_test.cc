@@ -81,11 +81,11 @@ v1::LyapunovRecord RecordOf(const std::string& bytes) {
   return record.lyapunov();
 }
 
-TEST(LyapunovPlan, MakesAtLeastTwoChainsOfSeveralOrbits) {
+TEST(LyapunovPlan, MakesChainsOfEightOrbits) {
   EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 1")))->chains(), 1);
-  EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 2")))->chains(), 2);
-  EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 8")))->chains(), 2);
-  EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 100")))->chains(), 7);
+  EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 8")))->chains(), 1);
+  EXPECT_EQ((*LyapunovPlan::Make(Henon("")))->chains(), 2);
+  EXPECT_EQ((*LyapunovPlan::Make(Henon("orbits: 100")))->chains(), 13);
 }
 
 TEST(LyapunovPlan, MeasuresExactlyWhatWasAskedAndSaysSo) {
@@ -100,7 +100,7 @@ TEST(LyapunovPlan, MeasuresExactlyWhatWasAskedAndSaysSo) {
 TEST(LyapunovPlan, DoesNotShowHowOrbitsAreGrouped) {
   const v1::JobSpec spec = Henon("orbits: 7 iterates: 10003 transient: 100");
   const Answer all = RunAll(spec, 7);
-  EXPECT_THAT(all.records, SizeIs(64));
+  EXPECT_THAT(all.records, SizeIs(12));
   for (const std::int64_t group : {1, 2, 4, 16}) {
     const Answer grouped = RunAll(spec, group);
     EXPECT_EQ(grouped.records, all.records) << "groups of " << group;
@@ -109,7 +109,7 @@ TEST(LyapunovPlan, DoesNotShowHowOrbitsAreGrouped) {
 }
 
 TEST(LyapunovPlan, DoesNotShowHowManyThreadsRunItNorAnInterruption) {
-  const v1::JobSpec spec = Henon("orbits: 5 iterates: 20000 transient: 500");
+  const v1::JobSpec spec = Henon("orbits: 20 iterates: 20000 transient: 500");
   const Answer expected = RunAll(spec);
   for (const int workers : {1, 3}) {
     const auto store = jobs::MemoryStore();
@@ -161,12 +161,47 @@ TEST(LyapunovPlan, EndsItsHistoryAtTheResult) {
   }
 }
 
-TEST(LyapunovPlan, GivesNoStandardErrorBeforeItHasTwoBatches) {
+TEST(LyapunovPlan, GivesNoStandardErrorBeforeItHasFourBatches) {
   const Answer answer = RunAll(Henon("orbits: 1 iterates: 6400 transient: 10"));
   ASSERT_THAT(answer.records, SizeIs(64));
-  // Four batches to an orbit: the second is over after half of the 64 rounds.
-  EXPECT_EQ(RecordOf(answer.records[30]).standard_error_per_iterate_size(), 0);
-  EXPECT_EQ(RecordOf(answer.records[31]).standard_error_per_iterate_size(), 3);
+  // Sixteen batches to an orbit: the fourth begins with the 13th of 64 rounds.
+  EXPECT_EQ(RecordOf(answer.records[11]).standard_error_per_iterate_size(), 0);
+  EXPECT_EQ(RecordOf(answer.records[12]).standard_error_per_iterate_size(), 3);
+}
+
+TEST(LyapunovPlan, SaysHowAccurateTheMapWasAndWhatTheAttractorIs) {
+  const v1::LyapunovResult stone =
+      ResultOf(RunAll(Resolve("lyapunov { iterates: 8000 transient: 200 }")));
+  EXPECT_EQ(stone.accuracy().sample(), 32);
+  // What the fast engine states at the default tolerance of 1e-11; 32 points find most of it.
+  EXPECT_GT(stone.accuracy().map_error(), 5e-12);
+  EXPECT_LT(stone.accuracy().map_error(), 5e-11);
+  EXPECT_LT(stone.accuracy().jacobian_error(), 3e-10);
+  EXPECT_GT(stone.accuracy().drift(), 0);
+  ASSERT_EQ(stone.map_error_per_iterate_size(), 3);
+  for (const double error : stone.map_error_per_iterate()) {
+    EXPECT_GT(error, 0);
+    EXPECT_LT(error, 1e-7);
+  }
+  EXPECT_EQ(stone.accuracy().warnings_size(), 0);
+  EXPECT_EQ(stone.regime(), v1::REGIME_PSEUDO_HYPERBOLIC_CANDIDATE);
+}
+
+TEST(LyapunovPlan, WarnsWhereTheMapIsWorseThanTheAnswerClaims) {
+  // On a stable cycle the scatter goes to nothing; a map good to 1e-4 is then the larger error.
+  const v1::LyapunovResult result = ResultOf(RunAll(
+      Resolve("system { parameters { key: 'energy' value: 747 } } numerics { tolerance: 1e-5 "
+              "} lyapunov { iterates: 1600 transient: 2000 }")));
+  EXPECT_GT(result.accuracy().warnings_size(), 0);
+  EXPECT_EQ(result.regime(), v1::REGIME_PERIODIC);
+}
+
+TEST(LyapunovPlan, FindsNoErrorInAFormula) {
+  const v1::LyapunovResult result = ResultOf(RunAll(Henon("iterates: 6400 transient: 10")));
+  EXPECT_EQ(result.accuracy().sample(), 26);
+  EXPECT_EQ(result.accuracy().map_error(), 0);
+  EXPECT_EQ(result.map_error_per_iterate(0), 0);
+  EXPECT_EQ(result.accuracy().warnings_size(), 0);
 }
 
 TEST(LyapunovPlan, GivesNoStandardErrorOfASingleIterate) {
@@ -187,9 +222,10 @@ TEST(LyapunovPlan, KeepsItsStateSmallHoweverLongTheJob) {
   ASSERT_TRUE(output.ok()) << output.status();
   EXPECT_LT(output->checkpoint.size(), 16U * 1024);
   // The first measured step, whichever it is, with the sums of a group of orbits.
-  std::vector<LyapunovSums> sums(16);
-  for (LyapunovSums& sum : sums) sum = {.iterates = 1, .time = 1, .log_stretch = Point::Ones(3)};
-  const auto collected = (*plan)->Collect({(*plan)->steps() - 2, 0}, "", EncodeSums(sums));
+  LyapunovTally tally;
+  tally.sums.resize(8, {.iterates = 1, .time = 1, .log_stretch = Point::Ones(3)});
+  tally.sample.resize(64, {.point = Point::Ones(3), .frame = SquareMatrix::Identity(3, 3)});
+  const auto collected = (*plan)->Collect({(*plan)->steps() - 2, 0}, "", EncodeTally(tally));
   ASSERT_TRUE(collected.ok()) << collected.status();
   EXPECT_LT(collected->state.size(), 16U * 1024);
 }

@@ -53,11 +53,11 @@ TEST(LyapunovSchedule, GivesOrbitsOfOneKindEquallyMany) {
   }
 }
 
-TEST(LyapunovSchedule, EndsWithARoundAndAllBatchesComplete) {
+TEST(LyapunovSchedule, EndsWithARoundInTheLastBatch) {
   for (const Case& c : kCases) {
     const LyapunovSchedule schedule(c.iterates, c.orbits, c.transient, c.unit);
     EXPECT_TRUE(schedule.EndsRound(schedule.steps() - 1));
-    EXPECT_EQ(schedule.BatchesComplete(schedule.steps() - 1), schedule.batches());
+    EXPECT_EQ(schedule.BatchOf(schedule.steps() - 1), schedule.batches() - 1);
     for (std::int64_t step = 0; schedule.IsTransient(step); ++step) {
       EXPECT_FALSE(schedule.EndsRound(step));
     }
@@ -79,11 +79,49 @@ TEST(LyapunovSchedule, LeavesNoBatchEmpty) {
   }
 }
 
-TEST(LyapunovSchedule, TellsSixtyFourTimesHowItStands) {
-  const LyapunovSchedule schedule(100'000, 8, 2000, 10);
+int CountRecords(const LyapunovSchedule& schedule) {
   int records = 0;
   for (std::int64_t step = 0; step < schedule.steps(); ++step) records += schedule.EndsRound(step);
-  EXPECT_EQ(records, 64);
+  return records;
+}
+
+TEST(LyapunovSchedule, TellsUpToSixtyFourTimesHowItStands) {
+  EXPECT_EQ(CountRecords({100'000, 8, 2000, 10}), 64);
+  // Shorter runs less often: a round has a hundred iterates of an orbit, or there are eight rounds.
+  EXPECT_EQ(CountRecords({20'000, 16, 2000, 1000}), 12);
+  EXPECT_EQ(CountRecords({1000, 16, 2000, 1000}), 8);
+  EXPECT_EQ(CountRecords({3, 1, 0, 1000}), 2);
+}
+
+TEST(LyapunovSchedule, MakesSixteenBatchesOrAsManyAsThereAreOrbits) {
+  for (const std::int64_t orbits : {1, 2, 4, 8, 16, 64}) {
+    const LyapunovSchedule schedule(100'000, orbits, 0, 1000);
+    EXPECT_EQ(schedule.batches() * schedule.blocks(), std::max<std::int64_t>(orbits, 16));
+  }
+  const LyapunovSchedule odd(100'000, 5, 0, 1000);
+  EXPECT_EQ(odd.batches(), 4) << "a power of two";
+}
+
+TEST(LyapunovSchedule, SamplesOrbitsAndRoundsEvenly) {
+  for (const Case& c : kCases) {
+    const LyapunovSchedule schedule(c.iterates, c.orbits, c.transient, c.unit);
+    int points = 0;
+    for (std::int64_t step = 0; step < schedule.steps(); ++step) {
+      for (std::int64_t orbit = 0; orbit < c.orbits; ++orbit)
+        points += schedule.IsSampled(step, orbit);
+    }
+    EXPECT_GT(points, 0) << c.iterates << " over " << c.orbits;
+    EXPECT_LE(points, 2 * 64) << c.iterates << " over " << c.orbits;
+  }
+  // 62 rounds of 16 orbits, a point in 15: four or five an orbit.
+  const LyapunovSchedule schedule(100'000, 16, 0, 10'000);
+  for (std::int64_t orbit = 0; orbit < 16; ++orbit) {
+    int points = 0;
+    for (std::int64_t step = 0; step < schedule.steps(); ++step)
+      points += schedule.IsSampled(step, orbit);
+    EXPECT_GE(points, 4) << orbit;
+    EXPECT_LE(points, 5) << orbit;
+  }
 }
 
 TEST(LyapunovSchedule, StaysExactAtTheGreatestLength) {

@@ -34,7 +34,7 @@ TEST(ResolveSpec, FillsInEveryDefault) {
   EXPECT_NE(spec.numerics().engine(), v1::ENGINE_UNSPECIFIED);
   EXPECT_EQ(spec.frame(), v1::FRAME_BODY);
   EXPECT_EQ(spec.lyapunov().iterates(), 100'000);
-  EXPECT_EQ(spec.lyapunov().orbits(), 8);
+  EXPECT_EQ(spec.lyapunov().orbits(), 16);
   EXPECT_EQ(spec.lyapunov().transient(), 2000);
   EXPECT_EQ(spec.lyapunov().seed(), 1U);
   EXPECT_TRUE(spec.lyapunov().start().has_h_over_g());
@@ -114,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSpec{"system { name: 'lorenz' } frame: FRAME_PAPER lyapunov {}", "frame:", "lorenz"},
         BadSpec{"lyapunov { iterates: 0 }", "iterates:", "0 is not allowed"},
         BadSpec{"lyapunov { iterates: -5 }", "iterates:", "-5"},
-        BadSpec{"lyapunov { iterates: 7 }", "iterates:", "[8, "},
+        BadSpec{"lyapunov { iterates: 7 }", "iterates:", "[16, "},
         BadSpec{"lyapunov { iterates: 9000000000000000000 }", "iterates:", "1000000000000]"},
         BadSpec{"lyapunov { orbits: 0 }", "orbits:", "[1, 4096]"},
         BadSpec{"lyapunov { orbits: -1 }", "orbits:", "-1"},
