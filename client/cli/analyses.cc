@@ -1,6 +1,7 @@
 #include "client/cli/analysis.h"
 #include "client/cli/fixed_point.h"
 #include "client/cli/lyapunov.h"
+#include "client/cli/manifold.h"
 #include "client/cli/orbit.h"
 #include "client/cli/reproduce.h"
 #include "client/cli/section.h"
@@ -16,6 +17,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeFixedPoint());
   analyses.push_back(MakeOrbit());
   analyses.push_back(MakeReproduce());
+  analyses.push_back(MakeManifold());
   return analyses;
 }
 

@@ -6,6 +6,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
+#include "client/cli/cycle_text.h"
 #include "client/cli/format.h"
 #include "client/cli/option.h"
 #include "client/cli/point.h"
@@ -91,9 +92,8 @@ class Section : public Analysis {
     };
     add("lowest_", section.lowest());
     add("highest_", section.highest());
-    row.emplace_back("mean_return_time", section.has_mean_return_time()
-                                             ? Shortest(section.mean_return_time())
-                                             : "");
+    row.emplace_back("mean_return_time",
+                     section.has_mean_return_time() ? Shortest(section.mean_return_time()) : "");
     return row;
   }
 
@@ -120,7 +120,8 @@ class Section : public Analysis {
     const v1::SectionResult& section = result.section();
     return absl::StrCat("\nOrbit of the section map of ", SystemTitle(job.spec().system()), "\n",
                         Grouped(section.iterates()), " iterates, mean return time ",
-                        Significant(section.mean_return_time(), 8), "\n\n", Ranges(section));
+                        Significant(section.mean_return_time(), 8), "\n\n", Ranges(section),
+                        AccuracyText(section.accuracy()));
   }
 
  private:

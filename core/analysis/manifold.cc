@@ -86,47 +86,42 @@ std::vector<bool> GapsToFill(const Ruler& ruler, const ManifoldOptions& options,
   return fill;
 }
 
-/// Cuts the generation off at the first point that has no image.
-void CutAt(std::size_t count, ManifoldSide& side) {
-  side.s.resize(count);
-  side.points.resize(count);
-}
-
-/// Puts points in the middle of marked gaps. False when there was nothing to do, or nothing that
-/// could be done.
-bool FillOnce(const Map& map, const Saddle& saddle, const ManifoldOptions& options,
-              ManifoldSide& side) {
-  if (side.points.size() < 2) return false;
-  const std::vector<bool> fill = GapsToFill(Ruler(map, options), options, side);
+/// The starts of points in the middle of marked gaps, as many as one call may compute.
+std::vector<double> MiddlesToFill(const ManifoldSide& side, const std::vector<bool>& fill,
+                                  std::int64_t most) {
   std::vector<double> s;
-  std::vector<Point> starts;
-  for (std::size_t i = 0; i < fill.size(); ++i) {
+  for (std::size_t i = 0; i < fill.size() && std::ssize(s) < most; ++i) {
     if (!fill[i] || side.s[i + 1] - side.s[i] < 2 * kLeastGap) continue;
     s.push_back((side.s[i] + side.s[i + 1]) / 2);
-    starts.push_back(StartAt(saddle, side, s.back()));
   }
-  if (s.empty()) return false;
-  const std::int64_t iterates = std::int64_t{saddle.iterates} * side.generation;
-  const Images images = ApplyMany(map, starts, iterates, saddle.direction);
+  return s;
+}
+
+/// Puts points where they belong by their starts. The side ends where one was lost.
+void Insert(const std::vector<double>& s, const Images& images, ManifoldSide& side) {
   std::vector<double> all_s;
   std::vector<Point> all_points;
   std::size_t next = 0;
   for (std::size_t i = 0; i < side.s.size(); ++i) {
     all_s.push_back(side.s[i]);
     all_points.push_back(side.points[i]);
-    if (next < s.size() && i + 1 < side.s.size() && s[next] < side.s[i + 1]) {
-      if (!images.statuses[next].ok()) {
-        side.end = ManifoldEnd::kLost;
-        side.message = std::string(images.statuses[next].message());
-        break;
-      }
-      all_s.push_back(s[next]);
-      all_points.push_back(images.points[next++]);
+    if (next == s.size() || i + 1 == side.s.size() || s[next] >= side.s[i + 1]) continue;
+    if (!images.statuses[next].ok()) {
+      side.end = ManifoldEnd::kLost;
+      side.message = std::string(images.statuses[next].message());
+      break;
     }
+    all_s.push_back(s[next]);
+    all_points.push_back(images.points[next++]);
   }
   side.s = std::move(all_s);
   side.points = std::move(all_points);
-  return side.end == ManifoldEnd::kNotYet;
+}
+
+/// Points that go to the map together, when each takes so many iterates.
+std::int64_t PointsAtOnce(const ManifoldOptions& options, std::int64_t iterates) {
+  constexpr std::int64_t kLeast = 16;  // lanes of an engine
+  return std::max(options.most_iterates / std::max<std::int64_t>(iterates, 1), kLeast);
 }
 
 bool IsTorn(const Map& map, const ManifoldOptions& options, const ManifoldSide& side) {
@@ -138,58 +133,82 @@ bool IsTorn(const Map& map, const ManifoldOptions& options, const ManifoldSide& 
   return false;
 }
 
+/// Puts points in the middle of gaps that are too wide or turn too much.
 void Refine(const Map& map, const Saddle& saddle, const ManifoldOptions& options,
             ManifoldSide& side) {
-  while (FillOnce(map, saddle, options, side)) {
+  const std::int64_t iterates = std::int64_t{saddle.iterates} * side.generation;
+  std::vector<double> s;
+  if (side.points.size() > 1) {
+    s = MiddlesToFill(side, GapsToFill(Ruler(map, options), options, side),
+                      PointsAtOnce(options, iterates));
+  }
+  if (!s.empty()) {
+    std::vector<Point> starts;
+    for (const double at : s) starts.push_back(StartAt(saddle, side, at));
+    Insert(s, ApplyMany(map, starts, iterates, saddle.direction), side);
     if (std::ssize(side.points) + side.written > options.most_points) {
       side.end = ManifoldEnd::kMostPoints;
-      return;
     }
-  }
-  if (side.end == ManifoldEnd::kNotYet && IsTorn(map, options, side)) {
+  } else if (!side.message.empty()) {  // it was cut off
+    side.end = ManifoldEnd::kLost;
+  } else if (IsTorn(map, options, side)) {
     side.end = ManifoldEnd::kTorn;
     side.message = "neighbouring points part however close they start";
   }
+  side.refining = !s.empty() && side.end == ManifoldEnd::kNotYet;
 }
 
-/// The next generation: images of this one, then refined.
+/// The images of the next points; of all, they are the next generation, cut off at the first point
+/// that has none.
 void Grow(const Map& map, const Saddle& saddle, const ManifoldOptions& options,
           ManifoldSide& side) {
   if (side.generation >= options.most_generations) {
     side.end = ManifoldEnd::kMostGenerations;
-    side.done = true;
     return;
   }
-  Images images = ApplyMany(map, side.points, saddle.iterates, saddle.direction);
+  const auto from = side.points.begin() + std::ssize(side.images);
+  const std::int64_t count =
+      std::min(side.points.end() - from, PointsAtOnce(options, saddle.iterates));
+  const Images next =
+      ApplyMany(map, std::span(from, from + count), saddle.iterates, saddle.direction);
+  bool lost = false;
+  for (std::size_t i = 0; i < next.points.size() && !lost; ++i) {
+    lost = !next.statuses[i].ok();
+    if (lost) side.message = std::string(next.statuses[i].message());
+    if (!lost) side.images.push_back(next.points[i]);
+  }
+  if (!lost && side.images.size() < side.points.size()) return;
+  side.s.resize(side.images.size());
+  side.points = std::exchange(side.images, {});
+  side.visited = 0;
+  side.refining = true;
   ++side.generation;
-  const auto lost = std::find_if(images.statuses.begin(), images.statuses.end(),
-                                 [](const absl::Status& status) { return !status.ok(); });
-  side.points = std::move(images.points);
-  if (lost != images.statuses.end()) {
-    CutAt(static_cast<std::size_t>(lost - images.statuses.begin()), side);
-  }
-  Refine(map, saddle, options, side);
-  if (lost != images.statuses.end() && side.end == ManifoldEnd::kNotYet) {
-    side.end = ManifoldEnd::kLost;
-    side.message = std::string(lost->message());
-  }
 }
 
-/// Visits the present generation, but for its last point: the next begins with it.
+/// Visits the next points of the present generation, but for its last: the next begins with it.
 absl::Status Write(const Map& map, const ManifoldOptions& options, ManifoldSide& side,
                    ManifoldVisit visit) {
   const Ruler ruler(map, options);
-  for (std::size_t i = 0; i + 1 < side.points.size(); ++i) {
-    if (!visit({side.points[i], side.arc_length, side.generation})) {
+  const std::int64_t last = std::ssize(side.points) - 1;
+  const std::int64_t end = std::min(last, side.visited + options.most_visits);
+  double arc_length = side.arc_length;
+  std::int64_t i = side.visited;
+  for (; i < end && arc_length < options.length; ++i) {
+    if (!visit({side.points[i], arc_length, side.generation})) {
       return absl::CancelledError("stopped before the manifold was done");
     }
-    ++side.written;
-    if (side.arc_length >= options.length) {
-      side.end = ManifoldEnd::kLength;
-      return absl::OkStatus();
-    }
-    side.arc_length += ruler.Difference(side.points[i + 1], side.points[i]).norm();
+    arc_length += ruler.Difference(side.points[i + 1], side.points[i]).norm();
   }
+  // The first point beyond the length is the last.
+  const bool reached = i < last && arc_length >= options.length;
+  if (reached && !visit({side.points[i], arc_length, side.generation})) {
+    return absl::CancelledError("stopped before the manifold was done");
+  }
+  if (reached) side.end = ManifoldEnd::kLength;
+  side.done = reached;
+  side.written += i + (reached ? 1 : 0) - side.visited;
+  side.visited = i;
+  side.arc_length = arc_length;
   return absl::OkStatus();
 }
 
@@ -222,14 +241,15 @@ absl::StatusOr<ManifoldSide> StartManifold(const Map& map, const Saddle& saddle,
 
 absl::Status AdvanceManifold(const Map& map, const Saddle& saddle, const ManifoldOptions& options,
                              ManifoldSide& side, ManifoldVisit visit) {
-  ManifoldSide next = side;
-  if (absl::Status status = Write(map, options, next, visit); !status.ok()) return status;
-  if (next.end == ManifoldEnd::kNotYet) {
-    Grow(map, saddle, options, next);
+  if (side.refining) {
+    Refine(map, saddle, options, side);
+  } else if (side.visited + 1 < std::ssize(side.points)) {
+    return Write(map, options, side, visit);
+  } else if (side.end == ManifoldEnd::kNotYet) {
+    Grow(map, saddle, options, side);
   } else {
-    next.done = true;
+    side.done = true;
   }
-  side = std::move(next);
   return absl::OkStatus();
 }
 

@@ -28,6 +28,9 @@ struct ManifoldOptions {
   /// The manifold starts along its tangent, where that deviates from it by less than this fraction
   /// of the distance from the saddle.
   double linear_error = 1e-6;
+  /// What one call of AdvanceManifold does: so many iterates of the map, or so many visits.
+  std::int64_t most_iterates = 50'000;
+  std::int64_t most_visits = 4000;
   /// Units of the coordinates for all lengths and angles above; empty: all 1.
   Point scale;
 };
@@ -58,8 +61,11 @@ struct ManifoldSide {
   int generation = 0;
   std::vector<double> s;                   ///< increasing, from 0 to 1
   std::vector<Point> points;               ///< G^generation of the segment's points at `s`
-  double arc_length = 0;                   ///< up to the first of `points`
-  std::int64_t written = 0;                ///< points visited so far
+  std::vector<Point> images;               ///< G of the first of `points`, so far
+  bool refining = false;                   ///< `points` are not yet as close as asked for
+  std::int64_t visited = 0;                ///< of `points`
+  double arc_length = 0;                   ///< up to the next of `points` to be visited
+  std::int64_t written = 0;                ///< points visited so far, of all generations
   ManifoldEnd end = ManifoldEnd::kNotYet;  ///< why nothing follows these points
   std::string message;
   bool done = false;  ///< all points have been visited
@@ -71,11 +77,12 @@ absl::StatusOr<ManifoldSide> StartManifold(const Map& map, const Saddle& saddle,
                                            const ManifoldOptions& options);
 
 /// Called with each point, in order along the manifold from the saddle on; false stops (CANCELLED;
-/// `side` is then as it was, and its points come again).
+/// `side` is then as it was before the call, whose points come again).
 using ManifoldVisit = absl::FunctionRef<bool(const ManifoldPoint& point)>;
 
-/// Visits the points of the present generation and computes the next, until side.done; side.end
-/// then says why.
+/// Goes on by a part of what is to be done, about as much as the options say, until side.done;
+/// side.end then says why. By turns, the points of a generation are visited, mapped to the next,
+/// and that is refined.
 ///
 /// Method: Hobson (J. Comput. Phys. 104 (1993) 14), with the criteria of Krauskopf & Osinga (J.
 /// Comput. Phys. 146 (1998) 404). Each generation is the image of the one before, with points put

@@ -33,6 +33,12 @@ absl::StatusOr<v1::Accuracy> MeasureAccuracy(const v1::JobSpec& resolved, const 
   return accuracy;
 }
 
+bool IsInSample(std::int64_t index, std::int64_t count) {
+  constexpr std::int64_t kSample = 16;
+  const std::int64_t stride = std::max<std::int64_t>(count / kSample, 1);
+  return index % stride == 0 && index / stride < kSample;
+}
+
 void WarnIfNotBelow(std::string_view quantity, double error, double standard_error,
                     v1::Accuracy& accuracy) {
   constexpr double kWellBelow = 1.0 / 3;

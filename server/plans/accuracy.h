@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -21,6 +22,10 @@ absl::StatusOr<std::unique_ptr<Map>> MakeReferenceMap(const v1::JobSpec& resolve
 /// or three iterates a point; some dozen points of the answer will do.
 absl::StatusOr<v1::Accuracy> MeasureAccuracy(const v1::JobSpec& resolved, const Map& map,
                                              std::span<const Point> sample);
+
+/// Points of an answer of `count` points that go into the sample for MeasureAccuracy: 16 of them,
+/// spread evenly, or all.
+bool IsInSample(std::int64_t index, std::int64_t count);
 
 /// Adds a warning when `error`, the map's part in the error of the quantity named, is not well
 /// below `standard_error`, the error that the answer states: not less than a third of it.

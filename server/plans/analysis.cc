@@ -4,6 +4,8 @@
 #include "server/plans/fixed_point_spec.h"
 #include "server/plans/lyapunov_plan.h"
 #include "server/plans/lyapunov_spec.h"
+#include "server/plans/manifold_plan.h"
+#include "server/plans/manifold_spec.h"
 #include "server/plans/orbit_plan.h"
 #include "server/plans/orbit_spec.h"
 #include "server/plans/reproduce_plan.h"
@@ -30,6 +32,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
   switch (spec.analysis_case()) {
     case v1::JobSpec::kLyapunov:
       return Analysis{ResolveLyapunov, MakeLyapunovPlan};
+    case v1::JobSpec::kManifold:
+      return Analysis{ResolveManifold, MakeManifoldPlan};
     case v1::JobSpec::kOrbit:
       return Analysis{ResolveOrbit, MakeOrbitPlan};
     case v1::JobSpec::kSection:

@@ -9,8 +9,10 @@
 #include "core/analysis/section.h"
 #include "core/model/angle.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/accuracy.h"
 #include "server/plans/chain_plan.h"
 #include "server/plans/convert.h"
+#include "server/plans/pack_points.h"
 #include "server/plans/serialize.h"
 #include "server/plans/spec.h"
 #include "server/plans/state.pb.h"
@@ -53,7 +55,8 @@ class SectionPlan final : public ChainPlan {
  public:
   SectionPlan(const v1::JobSpec& resolved, std::unique_ptr<Map> map, Point start,
               Direction direction)
-      : frame_(resolved),
+      : spec_(resolved),
+        frame_(resolved),
         section_(resolved.section()),
         unit_(UnitIterates(resolved)),
         map_(std::move(map)),
@@ -78,6 +81,7 @@ class SectionPlan final : public ChainPlan {
   absl::Status Go(SectionOrbit& orbit, SectionState& state, Stretch& stretch,
                   const jobs::StopRequested& stop) const;
 
+  const v1::JobSpec spec_;
   const PointFrame frame_;
   const v1::SectionSpec section_;
   const std::int64_t unit_;
@@ -92,6 +96,8 @@ void SectionPlan::Add(const SectionRecord& record, SectionState& state, Stretch&
   *out.mutable_point() = frame_.FromPoint(record.at.point);
   out.set_time(record.at.time);
   if (record.at.iterate != 0) out.set_return_time(record.return_time);
+  const std::int64_t index = std::abs(record.at.iterate) - section_.transient();
+  if (IsInSample(index, section_.iterates())) PackPoint(record.at.point, *state.mutable_sample());
   state.set_recorded(state.recorded() + record.return_time);
   Widen(out.point(), state);
 }
@@ -150,6 +156,9 @@ absl::StatusOr<v1::Result> SectionPlan::MakeResult(std::string_view known) const
   *section.mutable_last() = frame_.FromPoint(last);
   *section.mutable_lowest() = state.lowest();
   *section.mutable_highest() = state.highest();
+  CELT_ASSIGN_OR_RETURN(const std::vector<Point> sample,
+                        UnpackPoints(state.sample(), map_->dimension()));
+  CELT_ASSIGN_OR_RETURN(*section.mutable_accuracy(), MeasureAccuracy(spec_, *map_, sample));
   return result;
 }
 

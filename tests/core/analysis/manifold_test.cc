@@ -104,6 +104,14 @@ TEST(Manifold, KeepsItsSideUnderANegativeMultiplier) {
   }
 }
 
+TEST(Manifold, IsACurveHoweverSmallItsParts) {
+  const BentMap map(1.5, 0.5, -0.3);
+  ManifoldOptions options = OfLength(1);
+  options.most_iterates = 1;
+  options.most_visits = 3;
+  ExpectBentCurve(Trace(map, Point::Zero(3), Direction::kForward, 1, options), 1);
+}
+
 TEST(Manifold, StableOneIsFoundBackward) {
   const BentMap map(0.6, 2, -3);
   ExpectBentCurve(Trace(map, Point::Zero(3), Direction::kBackward, 1, OfLength(1)), 1);
