@@ -5,6 +5,7 @@
 #include "celt/v1/cycle.pb.h"
 #include "celt/v1/system.pb.h"
 #include "client/cli/analysis.h"
+#include "client/cli/text_table.h"
 
 namespace celt::cli {
 
@@ -28,7 +29,9 @@ std::string LorenzMark(const v1::Cycle& cycle);
 /// Cells of a cycle: its first point, its type, return time, multipliers and residual.
 void AddCycle(const v1::Cycle& cycle, CsvRow& row);
 
-/// The row "map error" of a table's measures, when it was measured, and a line for each warning.
-std::string AccuracyText(const v1::Accuracy& accuracy);
+/// Rows of a table of measures: "map error" and "of its derivative", when they were measured.
+void AddAccuracy(const v1::Accuracy& accuracy, TextTable& table);
+/// A line for each warning.
+std::string WarningsText(const v1::Accuracy& accuracy);
 
 }  // namespace celt::cli

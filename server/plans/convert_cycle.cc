@@ -63,4 +63,16 @@ absl::Status CheckFound(const CycleReport& cycle, int period) {
                       absl::StrCat(wanted, named ? "" : name + ": ", cycle.message, Effort(cycle)));
 }
 
+std::vector<Point> SampleOf(std::span<const CycleReport> cycles) {
+  constexpr std::size_t kEnough = 24;
+  std::vector<Point> sample;
+  for (const CycleReport& cycle : cycles) {
+    for (const Point& point : cycle.points) {
+      if (sample.size() == kEnough) return sample;
+      sample.push_back(point);
+    }
+  }
+  return sample;
+}
+
 }  // namespace celt::plans

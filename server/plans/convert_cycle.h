@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "celt/v1/cycle.pb.h"
@@ -19,5 +20,8 @@ v1::Cycle FromCycle(const CycleReport& cycle, const PointFrame& frame);
 /// NOT_FOUND: it did not converge, or came to a shorter cycle gone round several times. One line
 /// with the reason, the residual and the number of iterations.
 absl::Status CheckFound(const CycleReport& cycle, int period);
+
+/// Some points of cycles at which to measure the accuracy of their map.
+std::vector<Point> SampleOf(std::span<const CycleReport> cycles);
 
 }  // namespace celt::plans

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "server/jobs/status_macros.h"
+#include "server/plans/accuracy.h"
 #include "server/plans/convert_cycle.h"
 #include "server/plans/cycle_state.h"
 #include "server/plans/fixed_point_spec.h"
@@ -118,6 +119,9 @@ absl::StatusOr<std::string> CycleSearchPlan::Finish(std::string_view state) cons
     out.add_mirrors(mirrors[i] < shown ? mirrors[i] : -1);
   }
   *out.mutable_tally() = FromTally(known.tally);
+  std::vector<CycleReport> cycles;
+  for (const FoundCycle& found : known.cycles) cycles.push_back(found.cycle);
+  CELT_ASSIGN_OR_RETURN(*out.mutable_accuracy(), MeasureAccuracy(spec_, *map_, SampleOf(cycles)));
   return Serialize(result);
 }
 

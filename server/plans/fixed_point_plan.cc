@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/jobs/status_macros.h"
+#include "server/plans/accuracy.h"
 #include "server/plans/chain_plan.h"
 #include "server/plans/convert.h"
 #include "server/plans/convert_cycle.h"
@@ -36,6 +37,8 @@ class NewtonPlan final : public ChainPlan {
     *record.mutable_cycle() = FromCycle(cycle, PointFrame(spec_));
     v1::FixedPointResult result;
     *result.add_cycles() = record.cycle();
+    CELT_ASSIGN_OR_RETURN(*result.mutable_accuracy(),
+                          MeasureAccuracy(spec_, *map_, SampleOf({&cycle, 1})));
     stretch.summary = Serialize(result);
     stretch.work = 1;
     stretch.ended = true;

@@ -53,6 +53,8 @@ TEST(FixedPointPlan, FindsThePapersFixedPointFromTheKnownStart) {
     EXPECT_TRUE(condition.holds()) << condition.name();
   }
   EXPECT_THAT(cycle.lorenz_conditions(), SizeIs(8));
+  EXPECT_EQ(result.accuracy().sample(), 1);
+  EXPECT_LT(result.accuracy().map_error(), kAsReference / 10);
 }
 
 TEST(FixedPointPlan, RecordIsTheCycleOfTheResult) {
@@ -146,6 +148,7 @@ TEST(CycleSearchPlan, FindsTheStonesFixedPointsWithTheirMirrorImages) {
     }
   }
   EXPECT_EQ(known, 2);
+  EXPECT_EQ(result.accuracy().sample(), 4);
 }
 
 TEST(CycleSearchPlan, BoxIsTheSameInBothFrames) {
