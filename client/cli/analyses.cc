@@ -1,4 +1,5 @@
 #include "client/cli/analysis.h"
+#include "client/cli/continuation.h"
 #include "client/cli/fixed_point.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/manifold.h"
@@ -15,6 +16,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeSection());
   analyses.push_back(MakeSweep());
   analyses.push_back(MakeFixedPoint());
+  analyses.push_back(MakeContinuation());
   analyses.push_back(MakeOrbit());
   analyses.push_back(MakeReproduce());
   analyses.push_back(MakeManifold());

@@ -28,6 +28,13 @@ Failure FailureOf(const CycleReport& cycle) {
           .message = cycle.message};
 }
 
+/// Of BranchEquation::DirectionAt.
+Failure FailureOf(const absl::Status& status) {
+  const bool undefined = absl::IsFailedPrecondition(status);
+  return {.end = undefined ? BranchEnd::kNoConvergence : BranchEnd::kLeftDomain,
+          .message = std::string(status.message())};
+}
+
 class Stepper {
  public:
   Stepper(const MapFamily& family, const ContinuationOptions& options, const BranchState& state)
@@ -78,9 +85,7 @@ class Stepper {
     point.cycle = std::move(corrected.cycle);
     const auto direction = equation_.DirectionAt(Extended(point), last_.tangent);
     const auto chord = equation_.Difference(Extended(point), start_);
-    if (!direction.ok()) {
-      return Fail(BranchEnd::kNoConvergence, std::string(direction.status().message()));
-    }
+    if (!direction.ok()) return Fail(FailureOf(direction.status()));
     if (!chord.ok()) return Fail(BranchEnd::kLeftDomain, std::string(chord.status().message()));
     point.tangent = direction->tangent;
     point.orientation = direction->orientation;
@@ -234,10 +239,7 @@ absl::StatusOr<BranchState> StartBranch(const MapFamily& family, std::span<const
   const Eigen::VectorXd towards =
       (options.to > options.from ? 1 : -1) * Eigen::VectorXd::Unit(size, size - 1);
   const auto direction = EquationOf(family, options).DirectionAt(Extended(state.point), towards);
-  if (!direction.ok()) {
-    return fail(
-        {.end = BranchEnd::kNoConvergence, .message = std::string(direction.status().message())});
-  }
+  if (!direction.ok()) return fail(FailureOf(direction.status()));
   state.point.tangent = direction->tangent;
   state.point.orientation = direction->orientation;
   state.points = 1;

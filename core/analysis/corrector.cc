@@ -97,8 +97,8 @@ absl::StatusOr<BranchEquation::Direction> BranchEquation::DirectionAt(
   if (!matrix.ok()) return matrix.status();
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(*matrix);
   if (!(lu.rcond() > kSingular)) {
-    return absl::OutOfRangeError(absl::StrCat("the direction of the branch is undefined at ",
-                                              u.parameter, ": branches meet there"));
+    return absl::FailedPreconditionError(absl::StrCat(
+        "the direction of the branch is undefined at ", u.parameter, ": branches meet there"));
   }
   const Eigen::VectorXd solution =
       lu.solve(Eigen::VectorXd::Unit(towards.size(), towards.size() - 1));

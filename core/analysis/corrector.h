@@ -46,8 +46,9 @@ class BranchEquation {
   /// `error` is the distance from D(h), a bound while the map's own error stays below.
   absl::StatusOr<ParameterDerivative> DifferentiateByParameter(const ExtendedPoint& u) const;
 
-  /// The direction of the branch at a solution: unit, in the half space of `towards`. OUT_OF_RANGE
-  /// where it is undefined: two branches meet, or `towards` is orthogonal to it.
+  /// The direction of the branch at a solution: unit, in the half space of `towards`.
+  /// FAILED_PRECONDITION where it is undefined: two branches meet, or `towards` is orthogonal to
+  /// it. Else status as of the family and Map::Apply.
   struct Direction {
     Eigen::VectorXd tangent;
     /// Sign of det(∂R/∂y; tangentᵀ), which changes where the branch crosses another.

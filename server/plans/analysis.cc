@@ -1,5 +1,7 @@
 #include "server/plans/analysis.h"
 
+#include "server/plans/continuation_plan.h"
+#include "server/plans/continuation_spec.h"
 #include "server/plans/fixed_point_plan.h"
 #include "server/plans/fixed_point_spec.h"
 #include "server/plans/lyapunov_plan.h"
@@ -44,6 +46,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
       return Analysis{ResolveSweep, MakeSweepPlan, ToleranceOfNodes(spec)};
     case v1::JobSpec::kFixedPoint:
       return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance};
+    case v1::JobSpec::kContinuation:
+      return Analysis{ResolveContinuation, MakeContinuationPlan, kFineTolerance};
     default:
       return absl::InvalidArgumentError("analysis: missing, or not known here");
   }

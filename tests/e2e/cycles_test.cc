@@ -48,5 +48,27 @@ TEST(FixedPoint, GuessThatDoesNotConvergeExitsOneAndABadOneTwo) {
   EXPECT_THAT(bad.err, StartsWith("celt: period: 0 is not allowed"));
 }
 
+TEST(Continue, FindsThePeriodDoublingAndSaysHowTheBranchEnded) {
+  const Celt celt;
+  const Arguments question = With({"continue", "--from", "748", "--to", "747.5"}, kFast);
+  const Ended json = celt.Run(question);
+  EXPECT_EQ(json.code, 0) << json.err;
+  EXPECT_THAT(json.out,
+              HasSubstr("\"bifurcations\":[{\"type\":\"PERIOD_DOUBLING\",\"value\":747.78555"));
+  const Ended table = celt.Run(With(question, {"--output", "table"}));
+  EXPECT_THAT(table.out, HasSubstr("reached the end"));
+  EXPECT_THAT(table.out, HasSubstr("supercritical"));
+}
+
+TEST(Continue, GuessThatDoesNotConvergeExitsOneAndABadIntervalTwo) {
+  const Celt celt;
+  const Ended none = celt.Run(With({"continue", "--to", "750", "--near", "1,0.3,0.2"}, kFast));
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.err, HasSubstr("at energy 752: no cycle of period 1 found: "));
+  const Ended bad = celt.Run({"continue", "--to", "752"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_THAT(bad.err, StartsWith("celt: to: 752 is not allowed"));
+}
+
 }  // namespace
 }  // namespace celt

@@ -152,6 +152,7 @@ TEST(Options, HelpOfEveryCommandFitsTheTerminalAndHasAnExample) {
   const std::vector<Arguments> commands = {{},
                                            {"lyapunov"},
                                            {"fixed-point"},
+                                           {"continue"},
                                            {"jobs"},
                                            {"jobs", "list"},
                                            {"jobs", "get"},
