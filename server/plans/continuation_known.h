@@ -8,11 +8,11 @@
 
 namespace celt::plans {
 
-/// Adds what a unit found to what is known for the result, whose points are thinned by halves so
-/// that it stays one message of less than 4 MiB.
-absl::StatusOr<std::string> FoldContinuation(std::string_view known,
+/// Adds what a unit found to what is known for the result (bytes; empty at first), whose points are
+/// thinned by halves so that it stays one message of less than 4 MiB.
+absl::StatusOr<std::string> FoldContinuation(std::string_view bytes,
                                              const v1::ContinuationResult& found);
 
-absl::StatusOr<v1::ContinuationResult> KnownContinuation(std::string_view known);
+absl::StatusOr<v1::ContinuationResult> KnownContinuation(std::string_view bytes);
 
 }  // namespace celt::plans
