@@ -35,6 +35,7 @@ absl::StatusOr<std::unique_ptr<celt::cli::EmbeddedService>> StartHost(
     const celt::cli::EmbeddedOptions& options) {
   celt::host::HostOptions host_options;
   host_options.data_dir = options.data_dir;
+  host_options.on_demand = true;
   host_options.workers = options.threads.value_or(0);
   auto host = celt::host::Host::Start(std::move(host_options));
   if (!host.ok()) return host.status();

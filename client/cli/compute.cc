@@ -20,6 +20,8 @@ class Compute : public Command {
     system_.AddTo(*app);
     app->add_flag("--detach", detach_, "print the id of the job and leave it to the server")
         ->group("Service");
+    app->add_flag("--fresh", fresh_, "compute, although the answer may be known already")
+        ->group("Service");
     return app;
   }
 
@@ -28,6 +30,7 @@ class Compute : public Command {
       return absl::InvalidArgumentError(
           "--detach: needs --server HOST:PORT, a job inside this program would end with it");
     }
+    request_.set_fresh(fresh_);
     absl::Status filled = system_.Fill(*request_.mutable_spec());
     return filled.ok() ? analysis_.Fill(*request_.mutable_spec()) : filled;
   }
@@ -38,11 +41,19 @@ class Compute : public Command {
     const auto job = session.client().Submit(request_);
     if (!job.ok()) return session.Fail(job.status());
     if (detach_) return PrintId(session, job->id());
-    const ExitCode code = Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = true});
+    if (job->state() == v1::Job::STATE_SUCCEEDED) SayKnown(session, *job);
+    // The embedded service ends with this program, and its job waits for the next one.
+    const ExitCode code =
+        Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = !session.embedded()});
     return code == kDone ? analysis_.Afterwards(session) : code;
   }
 
  private:
+  static void SayKnown(const Session& session, const v1::Job& job) {
+    session.terminal().Say(
+        absl::StrCat("known already, by job ", job.id(), "; --fresh computes it anew"));
+  }
+
   static ExitCode PrintId(const Session& session, const std::string& id) {
     v1::Job job;
     job.set_id(id);
@@ -55,6 +66,7 @@ class Compute : public Command {
   Analysis& analysis_;
   SystemOptions system_;
   bool detach_ = false;
+  bool fresh_ = false;
   v1::SubmitJobRequest request_;
 };
 

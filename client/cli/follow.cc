@@ -31,7 +31,8 @@ std::jthread ShowProgress(const Session& session, const std::string& id) {
 ExitCode SayInterrupted(const Session& session, const std::string& id,
                         const std::optional<absl::Status>& cancelled) {
   if (!cancelled) {
-    session.terminal().Say("interrupted");
+    session.terminal().Say(session.resumes() ? "interrupted; the same command goes on from here"
+                                             : "interrupted");
   } else if (cancelled->ok()) {
     session.terminal().Say(absl::StrCat("interrupted: job ", id, " is cancelled"));
   } else {

@@ -27,7 +27,7 @@ int Run(const std::vector<std::string>& arguments, const Environment& environmen
       Session::Open(line.service(), environment, terminal, (*command)->NeedsPastJobs());
   if (!session.ok()) {
     terminal.Say(std::string(session.status().message()));
-    return ExitCodeOf(session.status());
+    return absl::IsInvalidArgument(session.status()) ? kBadRequest : kNoServer;
   }
   return (*command)->Run(**session);
 }

@@ -19,19 +19,34 @@ absl::StatusOr<client::ClientOptions> MakeClientOptions(const ServiceOptions& op
   return made;
 }
 
-absl::StatusOr<std::unique_ptr<EmbeddedService>> StartService(const ServiceOptions& options,
-                                                              const Environment& environment,
-                                                              Terminal& terminal,
-                                                              bool needs_past_jobs) {
+absl::Status InUse(const absl::Status& status) {
+  return absl::FailedPreconditionError(
+      absl::StrCat(status.message(),
+                   "; wait for it to end, give --data-dir another directory, or, if it is a celtd, "
+                   "speak to it with --server HOST:PORT"));
+}
+
+struct StartedService {
+  std::unique_ptr<EmbeddedService> service;
+  bool keeps_jobs = true;
+};
+
+absl::StatusOr<StartedService> StartService(const ServiceOptions& options,
+                                            const Environment& environment, Terminal& terminal,
+                                            bool needs_past_jobs) {
   EmbeddedOptions embedded;
   embedded.data_dir = options.data_dir.value_or(environment.state_dir);
   if (options.threads) embedded.threads = static_cast<int>(*options.threads);
   auto service = environment.start_embedded(embedded);
   const bool can_forget = !options.data_dir && !needs_past_jobs;
-  if (!absl::IsFailedPrecondition(service.status()) || !can_forget) return service;
+  if (service.ok()) return StartedService{*std::move(service)};
+  if (!absl::IsUnavailable(service.status())) return service.status();
+  if (!can_forget) return InUse(service.status());
   terminal.Say(absl::StrCat(service.status().message(), "; this job is kept in memory only"));
   embedded.data_dir.clear();
-  return environment.start_embedded(embedded);
+  service = environment.start_embedded(embedded);
+  if (!service.ok()) return service.status();
+  return StartedService{*std::move(service), false};
 }
 
 /// What was given for a service that is not the one used is said, not silently dropped.
@@ -58,7 +73,8 @@ absl::StatusOr<std::unique_ptr<Session>> Session::Open(const ServiceOptions& opt
   if (session->server_.empty()) {
     auto embedded = StartService(options, environment, terminal, needs_past_jobs);
     if (!embedded.ok()) return embedded.status();
-    session->embedded_ = *std::move(embedded);
+    session->embedded_ = std::move(embedded->service);
+    session->resumes_ = embedded->keeps_jobs;
     channel = session->embedded_->channel();
   } else {
     const auto address = ParseAddress(session->server_);

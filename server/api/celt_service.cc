@@ -51,7 +51,10 @@ absl::StatusOr<v1::Job> CeltService::Submit(const v1::SubmitJobRequest& request)
                                                    " characters; at most ", kLongestRequestId));
   }
   CELT_ASSIGN_OR_RETURN(const v1::JobSpec spec, plans::ResolveSpec(request.spec()));
-  return ToAnswer(scheduler_.Submit(plans::Serialize(spec), request.request_id()));
+  return ToAnswer(scheduler_.Submit({.specification = plans::Serialize(spec),
+                                     .owner = {},
+                                     .request_id = request.request_id(),
+                                     .fresh = request.fresh()}));
 }
 
 absl::StatusOr<v1::ListJobsResponse> CeltService::List(const v1::ListJobsRequest& request) const {
@@ -98,12 +101,14 @@ grpc::ServerUnaryReactor* CeltService::DeleteJob(grpc::CallbackServerContext* co
 
 grpc::ServerWriteReactor<v1::Job>* CeltService::WatchJob(grpc::CallbackServerContext* /*context*/,
                                                          const v1::WatchJobRequest* request) {
+  scheduler_.Wake(request->id()).IgnoreError();  // what is wrong with the job, its stream says
   const auto stream = std::make_shared<WatchStream>(store_, request->id());
   return stream->Begin(streams_, scheduler_.notifier(), request->id());
 }
 
 grpc::ServerWriteReactor<v1::StreamResultsResponse>* CeltService::StreamResults(
     grpc::CallbackServerContext* /*context*/, const v1::StreamResultsRequest* request) {
+  scheduler_.Wake(request->id()).IgnoreError();
   const auto stream = std::make_shared<ResultStream>(store_, *request);
   return stream->Begin(streams_, scheduler_.notifier(), request->id());
 }

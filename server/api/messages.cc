@@ -5,6 +5,7 @@
 #include "absl/strings/str_cat.h"
 #include "core/map/system.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/engine_version.h"
 
 namespace celt::api {
 namespace {
@@ -98,6 +99,7 @@ v1::GetInfoResponse MakeInfo(int workers) {
   v1::GetInfoResponse info;
   info.set_version(CELT_VERSION);
   info.set_workers(workers);
+  info.set_engine_version(plans::kEngineVersion);
   for (const System* system : AllSystems()) FillSystem(*system, *info.add_systems());
   return info;
 }

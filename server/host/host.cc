@@ -9,6 +9,7 @@
 #include "grpcpp/security/server_credentials.h"
 #include "grpcpp/server_builder.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/engine_version.h"
 #include "server/plans/factory.h"
 
 namespace celt::host {
@@ -49,6 +50,8 @@ absl::StatusOr<std::unique_ptr<Host>> Host::Start(HostOptions options) {
   CELT_RETURN_IF_ERROR(host->OpenStore(options));
   jobs::SchedulerOptions scheduling;
   scheduling.workers = options.workers;
+  scheduling.engine_version = plans::kEngineVersion;
+  scheduling.on_demand = options.on_demand;
   scheduling.on_error = std::move(options.on_error);
   host->scheduler_ =
       std::make_unique<jobs::Scheduler>(*host->store_, plans::MakePlan, std::move(scheduling));

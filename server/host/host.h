@@ -22,7 +22,8 @@ struct HostOptions {
   std::string
       data_dir;     ///< made if there is none, held by this host alone; empty: jobs live in memory
   int workers = 0;  ///< threads that compute; 0: as many as there are cores
-  std::string listen;  ///< "host:port", port 0 for a free one; empty: in-process channels only
+  bool on_demand = false;  ///< jobs of an earlier run sleep until they are asked for
+  std::string listen;      ///< "host:port", port 0 for a free one; empty: in-process channels only
   /// Told of trouble that no client is told of.
   std::function<void(std::string_view job, const absl::Status& error)> on_error =
       [](std::string_view, const absl::Status&) {};
@@ -32,8 +33,9 @@ struct HostOptions {
 /// Safe to use from many threads.
 class Host {
  public:
-  /// Goes on with the unfinished jobs of the data directory. FAILED_PRECONDITION: another server
-  /// has the directory, a file in it is not ours, or nothing can listen at the address.
+  /// Goes on with the unfinished jobs of the data directory. UNAVAILABLE: another process
+  /// has the directory. FAILED_PRECONDITION: it can't be written, a file in it is not ours, or
+  /// nothing can listen at the address. Other statuses are those of SqliteStore::Open.
   static absl::StatusOr<std::unique_ptr<Host>> Start(HostOptions options);
   /// Drains at once, without patience.
   ~Host();

@@ -39,8 +39,9 @@ absl::StatusOr<DataDir> DataDir::Lock(const std::string& path) {
   if (lock < 0) return Fail(path, std::generic_category().message(errno));
   DataDir directory(path, lock);
   if (flock(lock, LOCK_EX | LOCK_NB) == 0) return directory;
-  return Fail(path, errno == EWOULDBLOCK ? "in use by another server"
-                                         : std::generic_category().message(errno));
+  if (errno != EWOULDBLOCK) return Fail(path, std::generic_category().message(errno));
+  return absl::UnavailableError(
+      absl::StrCat("data directory ", path, ": in use by another celt or celtd"));
 }
 
 DataDir::DataDir(DataDir&& other) noexcept

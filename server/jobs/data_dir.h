@@ -10,8 +10,8 @@ namespace celt::jobs {
 /// process, however it ends. Movable.
 class DataDir {
  public:
-  /// Makes the directory (for its owner only) if there is none. FAILED_PRECONDITION: another server
-  /// has it, or it can't be made or written.
+  /// Makes the directory (for its owner only) if there is none. UNAVAILABLE: another
+  /// process has it. FAILED_PRECONDITION: it can't be made or written.
   static absl::StatusOr<DataDir> Lock(const std::string& path);
   DataDir(DataDir&& other) noexcept;
   DataDir& operator=(DataDir&& other) noexcept;

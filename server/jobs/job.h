@@ -17,8 +17,9 @@ constexpr bool HasEnded(JobState state) { return state >= JobState::kSucceeded; 
 /// bytes that only plans and handlers can read.
 struct Job {
   std::string id;
-  std::string request_id;     ///< chosen by the client; empty for none
-  std::string specification;  ///< resolved: defaults filled in
+  std::string owner;                ///< empty where there are no owners
+  std::string specification;        ///< resolved: defaults filled in
+  std::int64_t engine_version = 0;  ///< answers of one version are the same bytes
   JobState state = JobState::kQueued;
   double work_done = 0;
   double work_total = 0;

@@ -25,8 +25,9 @@ JobRow ToJobRow(const Row& row) {
   result.serial = row.Int(column++);
   Job& job = result.job;
   job.id = row.Bytes(column++);
-  job.request_id = row.Bytes(column++);
+  job.owner = row.Bytes(column++);
   job.specification = row.Bytes(column++);
+  job.engine_version = row.Int(column++);
   job.state = static_cast<JobState>(row.Int(column++));
   job.work_done = row.Real(column++);
   job.work_total = row.Real(column++);
@@ -43,14 +44,12 @@ JobRow ToJobRow(const Row& row) {
 
 absl::Status InsertJob(Database& database, const Job& job) {
   const std::string message(job.error.message());
-  Value request_id = nullptr;
-  if (!job.request_id.empty()) request_id = std::string_view(job.request_id);
   return database.Run(
-      "INSERT INTO jobs (id, request_id, specification, state, work_done, work_total, work_unit, "
-      "last_sequence, error_code, error_message, result, created, started, ended) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      {std::string_view(job.id), request_id, Blob{job.specification},
-       static_cast<std::int64_t>(job.state), job.work_done, job.work_total,
+      "INSERT INTO jobs (id, owner, specification, engine_version, state, work_done, work_total, "
+      "work_unit, last_sequence, error_code, error_message, result, created, started, ended) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      {std::string_view(job.id), std::string_view(job.owner), Blob{job.specification},
+       job.engine_version, static_cast<std::int64_t>(job.state), job.work_done, job.work_total,
        std::string_view(job.work_unit), job.last_sequence,
        static_cast<std::int64_t>(job.error.code()), std::string_view(message), Blob{job.result},
        TimeOrNull(job.created), TimeOrNull(job.started), TimeOrNull(job.ended)});
@@ -67,14 +66,19 @@ absl::StatusOr<JobRow> FindJob(Database& database, std::string_view id) {
   return *std::move(found);
 }
 
-absl::StatusOr<std::optional<Job>> FindRequest(Database& database, std::string_view request_id) {
-  std::optional<Job> found;
-  if (request_id.empty()) return found;
-  CELT_RETURN_IF_ERROR(database.Query("SELECT " CELT_JOB_COLUMNS " FROM jobs WHERE request_id = ?",
-                                      {request_id}, [&](const Row& row) {
-                                        found = ToJobRow(row).job;
-                                        return false;
-                                      }));
+absl::StatusOr<std::optional<JobRow>> FindSame(Database& database, const Job& job, Reuse reuse) {
+  std::optional<JobRow> found;
+  if (reuse == Reuse::kNothing) return found;
+  const std::int64_t unfinished = reuse == Reuse::kAnswersAndUnfinished ? 1 : 0;
+  CELT_RETURN_IF_ERROR(database.Query(
+      "SELECT " CELT_JOB_COLUMNS
+      " FROM jobs WHERE owner = ? AND specification = ? AND engine_version = ? "
+      "AND (state = 3 OR (? AND state IN (1, 2))) ORDER BY state DESC, serial DESC LIMIT 1",
+      {std::string_view(job.owner), Blob{job.specification}, job.engine_version, unfinished},
+      [&](const Row& row) {
+        found = ToJobRow(row);
+        return false;
+      }));
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include "absl/status/statusor.h"
 #include "server/jobs/database.h"
 #include "server/jobs/job.h"
+#include "server/jobs/store.h"
 
 namespace celt::jobs {
 
@@ -21,15 +22,20 @@ struct JobRow {
 
 /// Columns of a query whose rows ToJobRow reads.
 #define CELT_JOB_COLUMNS                                                             \
-  "serial, id, request_id, specification, state, work_done, work_total, work_unit, " \
-  "last_sequence, error_code, error_message, result, created, started, ended"
+  "serial, id, owner, specification, engine_version, state, work_done, work_total, " \
+  "work_unit, last_sequence, error_code, error_message, result, created, started, ended"
+
+/// How many those are.
+inline constexpr int kJobColumns = 16;
 
 JobRow ToJobRow(const Row& row);
 
 absl::Status InsertJob(Database& database, const Job& job);
 /// NOT_FOUND when there is none.
 absl::StatusOr<JobRow> FindJob(Database& database, std::string_view id);
-absl::StatusOr<std::optional<Job>> FindRequest(Database& database, std::string_view request_id);
+/// The job to use in place of a new one like `job`: one that has succeeded before one that has not
+/// ended, the newest of each.
+absl::StatusOr<std::optional<JobRow>> FindSame(Database& database, const Job& job, Reuse reuse);
 
 /// Nanoseconds since 1970.
 std::int64_t ToNanos(absl::Time time);

@@ -40,23 +40,45 @@ Scheduler::Scheduler(JobStore& store, PlanFactory factory, SchedulerOptions opti
 Scheduler::~Scheduler() { Shutdown(); }
 
 absl::Status Scheduler::Start() {
-  CELT_ASSIGN_OR_RETURN(const std::vector<Job> unfinished, store_.Unfinished());
-  for (const Job& job : unfinished) CELT_RETURN_IF_ERROR(Resume(job));
+  if (!options_.on_demand) {
+    CELT_ASSIGN_OR_RETURN(const std::vector<Job> unfinished, store_.Unfinished());
+    for (const Job& job : unfinished) CELT_RETURN_IF_ERROR(Resume(job));
+  }
   const std::lock_guard lock(shutdown_mutex_);
   for (int i = 0; i < workers_; ++i) threads_.emplace_back([this] { Work(); });
   return absl::OkStatus();
 }
 
 /// A job that this version can't go on with fails; that is no reason not to start.
-absl::Status Scheduler::Resume(const Job& job) {
+absl::Status Scheduler::Resume(Job job) {
   absl::StatusOr<std::unique_ptr<Plan>> plan = factory_(job.specification);
   if (!plan.ok()) {
     options_.on_error(job.id, plan.status());
     return store_.MarkEnded(job.id, JobState::kFailed, plan.status(), "", options_.clock());
   }
+  if (job.engine_version != options_.engine_version) {
+    CELT_RETURN_IF_ERROR(store_.Restart(job.id, options_.engine_version));
+    CELT_ASSIGN_OR_RETURN(job, store_.Get(job.id));
+  }
   CELT_ASSIGN_OR_RETURN(const Progress progress, store_.LoadProgress(job.id));
   Activate(job, *std::move(plan), progress);
   return absl::OkStatus();
+}
+
+absl::Status Scheduler::Wake(std::string_view id) {
+  if (!options_.on_demand || stopping_) return absl::OkStatus();
+  const std::lock_guard lock(activation_mutex_);
+  return WakeUnderMutex(id);
+}
+
+absl::Status Scheduler::WakeUnderMutex(std::string_view id) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (active_.find(id) != active_.end()) return absl::OkStatus();
+  }
+  const absl::StatusOr<Job> job = store_.Get(id);
+  if (!job.ok() || HasEnded(job->state)) return absl::OkStatus();
+  return Resume(*job);
 }
 
 void Scheduler::Shutdown() {
@@ -71,18 +93,26 @@ void Scheduler::Shutdown() {
   threads_.clear();
 }
 
-absl::StatusOr<Job> Scheduler::Submit(std::string_view specification, std::string_view request_id) {
+absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   if (stopping_) return ShuttingDown();
-  CELT_ASSIGN_OR_RETURN(std::unique_ptr<Plan> plan, factory_(specification));
+  CELT_ASSIGN_OR_RETURN(std::unique_ptr<Plan> plan, factory_(submission.specification));
   Job job;
   job.id = options_.new_id();
-  job.request_id = std::string(request_id);
-  job.specification = std::string(specification);
+  job.owner = submission.owner;
+  job.specification = submission.specification;
+  job.engine_version = options_.engine_version;
   job.work_total = plan->work().total;
   job.work_unit = plan->work().unit;
   job.created = options_.clock();
-  CELT_ASSIGN_OR_RETURN(const Job stored, store_.Create(job));
-  if (stored.id == job.id) Activate(job, std::move(plan), {});
+  Reuse reuse = options_.on_demand ? Reuse::kAnswersAndUnfinished : Reuse::kAnswers;
+  if (submission.fresh) reuse = Reuse::kNothing;
+  const std::lock_guard lock(activation_mutex_);
+  CELT_ASSIGN_OR_RETURN(Job stored, store_.Create(job, submission.request_id, reuse));
+  if (stored.id == job.id) {
+    Activate(job, std::move(plan), {});
+  } else if (options_.on_demand) {
+    CELT_RETURN_IF_ERROR(WakeUnderMutex(stored.id));
+  }
   return stored;
 }
 
@@ -112,7 +142,20 @@ absl::StatusOr<Job> Scheduler::Cancel(std::string_view id) {
   }
   give_up_.notify_all();
   if (to_close) Close(to_close);
+  CELT_RETURN_IF_ERROR(CancelSleeping(id));
   return store_.Get(id);
+}
+
+absl::Status Scheduler::CancelSleeping(std::string_view id) {
+  if (!options_.on_demand) return absl::OkStatus();
+  const std::lock_guard lock(activation_mutex_);
+  {
+    const std::lock_guard active_lock(mutex_);
+    if (active_.find(id) != active_.end()) return absl::OkStatus();
+  }
+  CELT_ASSIGN_OR_RETURN(const Job job, store_.Get(id));
+  if (HasEnded(job.state)) return absl::OkStatus();
+  return store_.MarkEnded(id, JobState::kCancelled, absl::OkStatus(), "", options_.clock());
 }
 
 absl::Status Scheduler::Delete(std::string_view id) {

@@ -27,7 +27,13 @@ namespace celt::jobs {
 std::string RandomJobId();
 
 struct SchedulerOptions {
-  int workers = 0;              ///< threads that compute; 0: as many as there are cores
+  int workers = 0;  ///< threads that compute; 0: as many as there are cores
+  /// Answers of one version are the same bytes, so that a job that was begun by another begins
+  /// anew.
+  std::int64_t engine_version = 0;
+  /// Jobs of an earlier run sleep until somebody submits the same again, or follows them: for a
+  /// service that lives as long as one question.
+  bool on_demand = false;
   std::int64_t run_ahead = 64;  ///< units of a job that may be done before they can be folded
   std::function<absl::Time()> clock = absl::Now;
   std::function<std::string()> new_id = RandomJobId;
@@ -36,6 +42,14 @@ struct SchedulerOptions {
   std::function<void(std::string_view job, const absl::Status& error)> on_error =
       [](std::string_view, const absl::Status&) {};
   absl::Duration store_retry = absl::Seconds(1);  ///< pause before a failed commit is tried again
+};
+
+/// A job as it is asked for.
+struct Submission {
+  std::string specification;  ///< resolved
+  std::string owner = {};     ///< empty where there are no owners
+  std::string request_id = {};
+  bool fresh = false;  ///< compute, although the answer may be in the store
 };
 
 /// Runs jobs on a pool of threads. Units of different jobs take turns; within a job the lowest
@@ -54,16 +68,19 @@ class Scheduler {
   Scheduler(const Scheduler&) = delete;
   Scheduler& operator=(const Scheduler&) = delete;
 
-  /// Goes on with the jobs in the store that have not ended, and starts the threads. Once, before
-  /// the first Submit.
+  /// Goes on with the jobs in the store that have not ended, unless they sleep, and starts the
+  /// threads. Once, before the first Submit.
   absl::Status Start();
   /// Stops, inside running units too, and joins the threads. Nothing that was committed is lost:
   /// unfinished jobs stay so in the store and go on at the next start. Idempotent.
   void Shutdown();
 
   /// Accepts a job; its plan is made first, so that a wrong specification is refused with the
-  /// factory's error. `request_id` as in JobStore::Create. UNAVAILABLE once Shutdown has begun.
-  absl::StatusOr<Job> Submit(std::string_view specification, std::string_view request_id);
+  /// factory's error. Unless it is to be fresh, a job that has given the answer is returned
+  /// instead. `request_id` as in JobStore::Create. UNAVAILABLE once Shutdown has begun.
+  absl::StatusOr<Job> Submit(const Submission& submission);
+  /// Goes on with a sleeping job: for those who follow it. Nothing to do is no error.
+  absl::Status Wake(std::string_view id);
   /// Asks the job to stop and returns it as it is now: CANCELLED already when no unit of it was
   /// running.
   absl::StatusOr<Job> Cancel(std::string_view id);
@@ -79,7 +96,9 @@ class Scheduler {
   struct Task;
   using JobPointer = std::shared_ptr<ActiveJob>;
 
-  absl::Status Resume(const Job& job);
+  absl::Status Resume(Job job);
+  absl::Status WakeUnderMutex(std::string_view id);
+  absl::Status CancelSleeping(std::string_view id);
   void Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress);
 
   void Work();
@@ -102,6 +121,7 @@ class Scheduler {
   const int workers_;
   Notifier notifier_;
 
+  std::mutex activation_mutex_;  // held from the look at the store until the job is active
   std::atomic<bool> stopping_ = false;
   std::mutex mutex_;
   std::condition_variable listed_or_stopping_;  // what workers wait for

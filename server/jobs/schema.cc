@@ -15,7 +15,8 @@ constexpr std::int64_t kApplicationId = 0x43454c54;
 
 /// Each entry leads from the schema of its index to the next. Never change one that was released:
 /// append.
-constexpr std::array<const char*, 1> kMigrations = {R"sql(
+constexpr std::array<const char*, 2> kMigrations = {
+    R"sql(
   CREATE TABLE jobs (
     serial INTEGER PRIMARY KEY AUTOINCREMENT,  -- the order of creation
     id TEXT NOT NULL UNIQUE,
@@ -61,6 +62,42 @@ constexpr std::array<const char*, 1> kMigrations = {R"sql(
     bytes BLOB NOT NULL,
     PRIMARY KEY (job, sequence)
   ) WITHOUT ROWID;
+)sql",
+    // Owners, engine versions, requests of their own
+    R"sql(
+  CREATE TABLE new_jobs (
+    serial INTEGER PRIMARY KEY AUTOINCREMENT,
+    id TEXT NOT NULL UNIQUE,
+    owner TEXT NOT NULL,
+    specification BLOB NOT NULL,
+    engine_version INTEGER NOT NULL,
+    state INTEGER NOT NULL,
+    work_done REAL NOT NULL,
+    work_total REAL NOT NULL,
+    work_unit TEXT NOT NULL,
+    last_sequence INTEGER NOT NULL,
+    error_code INTEGER NOT NULL,
+    error_message TEXT NOT NULL,
+    result BLOB NOT NULL,
+    created INTEGER NOT NULL,
+    started INTEGER,
+    ended INTEGER
+  );
+  INSERT INTO new_jobs SELECT serial, id, '', specification, 0, state, work_done, work_total,
+    work_unit, last_sequence, error_code, error_message, result, created, started, ended FROM jobs;
+  CREATE TABLE requests (
+    owner TEXT NOT NULL,
+    request_id TEXT NOT NULL,
+    job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    reuse INTEGER NOT NULL,
+    PRIMARY KEY (owner, request_id)
+  ) WITHOUT ROWID;
+  CREATE INDEX requests_by_job ON requests (job);
+  INSERT INTO requests SELECT '', request_id, serial, 1 FROM jobs WHERE request_id IS NOT NULL;
+  DROP TABLE jobs;
+  ALTER TABLE new_jobs RENAME TO jobs;
+  CREATE INDEX jobs_by_state ON jobs (state, serial);
+  CREATE INDEX jobs_by_specification ON jobs (owner, specification);
 )sql"};
 constexpr std::int64_t kSchema = kMigrations.size();
 
@@ -113,9 +150,10 @@ absl::Status PrepareSchema(Database& database) {
   CELT_RETURN_IF_ERROR(CheckIntegrity(database));
   // WAL with NORMAL: a commit survives the death of the process, and the file stays sound in a
   // power cut, which may take the last commits with it.
-  CELT_RETURN_IF_ERROR(database.Execute(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON;"));
-  return schema < kSchema ? Migrate(database, schema) : absl::OkStatus();
+  CELT_RETURN_IF_ERROR(database.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"));
+  if (schema < kSchema) CELT_RETURN_IF_ERROR(Migrate(database, schema));
+  // After the migrations: one that replaces a table would drop all that refers to it.
+  return database.Execute("PRAGMA foreign_keys = ON;");
 }
 
 }  // namespace celt::jobs

@@ -7,6 +7,7 @@
 #include "server/jobs/job_rows.h"
 #include "server/jobs/page_token.h"
 #include "server/jobs/progress_rows.h"
+#include "server/jobs/request_rows.h"
 #include "server/jobs/schema.h"
 #include "server/jobs/status_macros.h"
 
@@ -39,20 +40,21 @@ absl::StatusOr<std::unique_ptr<SqliteStore>> SqliteStore::Open(const std::string
   return std::unique_ptr<SqliteStore>(new SqliteStore(std::move(database)));
 }
 
-absl::StatusOr<Job> SqliteStore::Create(const Job& job) {
+absl::StatusOr<Job> SqliteStore::Create(const Job& job, std::string_view request_id, Reuse reuse) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(*database_);
   CELT_RETURN_IF_ERROR(transaction.Begin());
-  CELT_ASSIGN_OR_RETURN(const std::optional<Job> earlier, FindRequest(*database_, job.request_id));
-  if (earlier && earlier->specification == job.specification) return *earlier;
-  if (earlier) {
-    return absl::AlreadyExistsError(absl::StrCat("request_id: ", job.request_id,
-                                                 " was used for another specification, by job ",
-                                                 earlier->id));
+  const Request request{job.owner, std::string(request_id), reuse};
+  CELT_ASSIGN_OR_RETURN(std::optional<JobRow> row, FindRequest(*database_, request, job));
+  if (row) return std::move(row->job);
+  CELT_ASSIGN_OR_RETURN(row, FindSame(*database_, job, reuse));
+  if (!row) {
+    CELT_RETURN_IF_ERROR(InsertJob(*database_, job));
+    row = JobRow{database_->LastRowId(), job};
   }
-  CELT_RETURN_IF_ERROR(InsertJob(*database_, job));
+  CELT_RETURN_IF_ERROR(InsertRequest(*database_, request, row->serial));
   CELT_RETURN_IF_ERROR(transaction.Commit());
-  return job;
+  return std::move(row->job);
 }
 
 absl::StatusOr<Job> SqliteStore::Get(std::string_view id) const {
@@ -103,6 +105,21 @@ absl::Status SqliteStore::Delete(std::string_view id) {
   CELT_RETURN_IF_ERROR(database_->Run("DELETE FROM jobs WHERE id = ?", {id}));
   if (database_->Changes() > 0) return absl::OkStatus();
   return absl::NotFoundError(absl::StrCat("id: there is no job ", std::string(id)));
+}
+
+absl::Status SqliteStore::Restart(std::string_view id, std::int64_t engine_version) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(*database_);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  if (HasEnded(row.job.state)) return HasEndedError(id);
+  CELT_RETURN_IF_ERROR(DeleteProgress(*database_, row.serial));
+  CELT_RETURN_IF_ERROR(database_->Run("DELETE FROM records WHERE job = ?", {row.serial}));
+  CELT_RETURN_IF_ERROR(database_->Run(
+      "UPDATE jobs SET engine_version = ?, state = 1, work_done = 0, last_sequence = 0, "
+      "started = NULL WHERE serial = ?",
+      {engine_version, row.serial}));
+  return transaction.Commit();
 }
 
 absl::Status SqliteStore::MarkStarted(std::string_view id, absl::Time now) {

@@ -11,19 +11,20 @@ namespace celt::jobs {
 
 /// A JobStore in an SQLite file (write-ahead log) or in memory. Every call is one transaction. What
 /// a call has committed survives the death of the process at any moment; a power cut may take the
-/// last commits with it, never the file. One process at a time: see DirectoryLock.
+/// last commits with it, never the file. One process at a time: see DataDir.
 class SqliteStore final : public JobStore {
  public:
   /// `path` of a file, made if there is none, or ":memory:". Errors as of PrepareSchema.
   static absl::StatusOr<std::unique_ptr<SqliteStore>> Open(const std::string& path);
 
-  absl::StatusOr<Job> Create(const Job& job) override;
+  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) override;
   absl::StatusOr<Job> Get(std::string_view id) const override;
   absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,
                                std::string_view page_token) const override;
   absl::StatusOr<std::vector<Job>> Unfinished() const override;
   absl::Status Delete(std::string_view id) override;
 
+  absl::Status Restart(std::string_view id, std::int64_t engine_version) override;
   absl::Status MarkStarted(std::string_view id, absl::Time now) override;
   absl::Status MarkEnded(std::string_view id, JobState state, const absl::Status& error,
                          std::string_view result, absl::Time now) override;

@@ -48,6 +48,10 @@ struct Progress {
   UnitId fold_next;
 };
 
+/// What Create may return in place of a new job: one of the same owner, specification and engine
+/// version that has succeeded, or one that has not ended either.
+enum class Reuse { kNothing, kAnswers, kAnswersAndUnfinished };
+
 struct JobFilter {
   std::vector<JobState> states;  ///< empty: all
 };
@@ -64,9 +68,10 @@ class JobStore {
  public:
   virtual ~JobStore() = default;
 
-  /// Adds a job. If one with the same non-empty request_id exists, that one is returned when its
-  /// specification is the same, else ALREADY_EXISTS.
-  virtual absl::StatusOr<Job> Create(const Job& job) = 0;
+  /// Adds a job, or returns what may be used again. An owner's non-empty `request_id` always gives
+  /// the job that it gave first: ALREADY_EXISTS when that one has another specification, or `reuse`
+  /// was another.
+  virtual absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) = 0;
   virtual absl::StatusOr<Job> Get(std::string_view id) const = 0;
   /// INVALID_ARGUMENT: the page token is not one of ours.
   virtual absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,
@@ -75,6 +80,8 @@ class JobStore {
   virtual absl::StatusOr<std::vector<Job>> Unfinished() const = 0;
   virtual absl::Status Delete(std::string_view id) = 0;
 
+  /// Makes a job that has not ended as if nothing of it had been computed, by another engine.
+  virtual absl::Status Restart(std::string_view id, std::int64_t engine_version) = 0;
   virtual absl::Status MarkStarted(std::string_view id, absl::Time now) = 0;
   /// Ends the job, once: FAILED_PRECONDITION when it has ended already. Drops checkpoints and
   /// pending payloads.

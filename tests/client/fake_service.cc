@@ -40,6 +40,11 @@ v1::JobSpec FakeService::submitted() const {
   return submitted_;
 }
 
+bool FakeService::fresh() const {
+  const std::lock_guard lock(mutex_);
+  return fresh_;
+}
+
 bool FakeService::cancelled() const {
   const std::lock_guard lock(mutex_);
   return cancelled_;
@@ -54,6 +59,7 @@ grpc::Status FakeService::SubmitJob(grpc::ServerContext* /*context*/,
                                     const v1::SubmitJobRequest* request, v1::Job* response) {
   const std::lock_guard lock(mutex_);
   submitted_ = request->spec();
+  fresh_ = request->fresh();
   *response = job;
   return submit_status;
 }

@@ -32,6 +32,7 @@ class FakeService final : public v1::Celt::Service {
 
   /// The specification last submitted.
   v1::JobSpec submitted() const;
+  bool fresh() const;
   bool cancelled() const;
   /// after_sequence of each StreamResults, in order.
   std::vector<std::int64_t> resumed_after() const;
@@ -66,6 +67,7 @@ class FakeService final : public v1::Celt::Service {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   v1::JobSpec submitted_;
+  bool fresh_ = false;
   bool cancelled_ = false;
   std::vector<std::int64_t> resumed_after_;
   std::string address_;

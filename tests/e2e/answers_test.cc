@@ -55,14 +55,15 @@ std::vector<std::string> Lines(const std::string& text) {
 class AnswersTest : public ::testing::TestWithParam<Question> {
  protected:
   std::string Remote(const Daemon& daemon) const {
-    const Ended run = celt_.Run(With(GetParam().arguments, {"--server", daemon.address()}));
+    const Ended run =
+        celt_.Run(With(GetParam().arguments, {"--fresh", "--server", daemon.address()}));
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     return run.out;
   }
 
   std::string Embedded(const std::string& threads) const {
-    const Ended run = celt_.Run(With(GetParam().arguments, {"--threads", threads}));
+    const Ended run = celt_.Run(With(GetParam().arguments, {"--fresh", "--threads", threads}));
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run.err, "");
     return run.out;

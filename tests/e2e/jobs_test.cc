@@ -100,7 +100,7 @@ TEST_F(JobsTest, EmbeddedJobsAreKeptInTheDataDirectory) {
 
 TEST_F(JobsTest, DataDirectoryInUseIsSaidWhereItWasAskedFor) {
   const Ended run = celt_.Run({"jobs", "list", "--data-dir", data_.path()});
-  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.code, 3);
   EXPECT_THAT(run.err, StartsWith("celt: data directory "));
   EXPECT_THAT(run.err, HasSubstr("in use"));
 }

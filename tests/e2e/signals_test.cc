@@ -1,5 +1,6 @@
 // Nothing hangs: neither at Ctrl-C in the client, nor when the server is told to go.
 
+#include <algorithm>
 #include <csignal>
 #include <functional>
 #include <memory>
@@ -71,12 +72,28 @@ TEST_F(SignalsTest, CtrlCCancelsTheJobAtTheServer) {
   EXPECT_EQ(EndOfOnlyJob(), v1::Job::STATE_CANCELLED);
 }
 
-TEST_F(SignalsTest, CtrlCEndsTheEmbeddedService) {
-  const auto celt = StartAndReadARecord(kLong);
-  celt->Signal(SIGINT);
-  const Ended ended = celt->Wait();
-  EXPECT_EQ(ended.code, 130);
-  EXPECT_THAT(celt_.Run({"jobs", "list"}).out, HasSubstr("\"state\":\"STATE_CANCELLED\""));
+/// The records and the result of an embedded run that was ended by a signal after a record, and
+/// then run again.
+Ended InterruptedAndRunAgain(const Celt& celt, const Arguments& question, int signal) {
+  const auto first = celt.Start(question);
+  EXPECT_THAT(first->ReadLine(), HasSubstr("\"sequence\":\"1\""));
+  first->Signal(signal);
+  EXPECT_EQ(first->Wait().code, signal == SIGKILL ? 128 + SIGKILL : 130);
+  EXPECT_THAT(celt.Run({"jobs", "list"}).out, HasSubstr("\"state\":\"STATE_RUNNING\""));
+  return celt.Run(question);
+}
+
+TEST_F(SignalsTest, EmbeddedRunThatWasInterruptedOrKilledGoesOnWhenRunAgain) {
+  const Arguments question = {"lyapunov", "--system", "henon3d", "--iterates", "2e6"};
+  const std::string expected = Celt().Run(question).out;
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const Celt celt;
+    const Ended ended = InterruptedAndRunAgain(celt, question, signal);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(ended.out == expected) << "signal " << signal;
+    const std::string jobs = celt.Run({"jobs", "list"}).out;
+    EXPECT_EQ(std::count(jobs.begin(), jobs.end(), '\n'), 1) << "not a second job: " << jobs;
+  }
 }
 
 TEST_F(SignalsTest, CtrlCInAReaderLeavesTheJob) {

@@ -60,6 +60,20 @@ TEST_F(RunTest, DetachPrintsTheIdAndLeavesTheJob) {
   EXPECT_FALSE(service_.cancelled());
 }
 
+TEST_F(RunTest, KnownAnswerIsSaidToBeOne) {
+  service_.scripts = {Answer()};
+  EXPECT_EQ(Run({"lyapunov"}).err, "");
+  service_.job.set_state(v1::Job::STATE_SUCCEEDED);
+  EXPECT_EQ(Run({"lyapunov"}).err, "celt: known already, by job job-1; --fresh computes it anew\n");
+}
+
+TEST_F(RunTest, FreshAnswerIsAskedFor) {
+  Run({"lyapunov", "--detach"});
+  EXPECT_FALSE(service_.fresh());
+  Run({"lyapunov", "--detach", "--fresh"});
+  EXPECT_TRUE(service_.fresh());
+}
+
 TEST_F(RunTest, DetachWithoutServerIsRefused) {
   const Outcome outcome = RunCelt({"lyapunov", "--detach"});
   EXPECT_EQ(outcome.code, 2);
@@ -120,17 +134,18 @@ TEST_F(RunTest, EmbeddedServiceGetsItsOptionsAndIsSpokenToInProcess) {
 TEST_F(RunTest, DefaultDataDirectoryInUseDoesNotStopAComputation) {
   service_.scripts = {Answer()};
   const auto start = [&](const cli::EmbeddedOptions& options) -> EmbeddedOr {
-    if (!options.data_dir.empty()) return absl::FailedPreconditionError("data directory: in use");
+    if (!options.data_dir.empty()) return absl::UnavailableError("data directory: in use");
     return std::make_unique<Embedded>(service_);
   };
   const Outcome computed = RunCelt({"lyapunov"}, {.start_embedded = start});
   EXPECT_EQ(computed.code, 0);
   EXPECT_EQ(computed.err, "celt: data directory: in use; this job is kept in memory only\n");
   const Outcome named = RunCelt({"lyapunov", "--data-dir", "/x"}, {.start_embedded = start});
-  EXPECT_EQ(named.code, 1);
+  EXPECT_EQ(named.code, 3);
   const Outcome listed = RunCelt({"jobs", "list"}, {.start_embedded = start});
-  EXPECT_EQ(listed.code, 1);
-  EXPECT_EQ(listed.err, "celt: data directory: in use\n");
+  EXPECT_EQ(listed.code, 3);
+  EXPECT_THAT(listed.err, StartsWith("celt: data directory: in use; wait for it to end"));
+  EXPECT_THAT(listed.err, HasSubstr("--server"));
 }
 
 TEST_F(RunTest, EmbeddedServiceThatCannotStartSaysWhy) {
@@ -138,7 +153,7 @@ TEST_F(RunTest, EmbeddedServiceThatCannotStartSaysWhy) {
     return absl::DataLossError("the store is corrupt");
   };
   const Outcome outcome = RunCelt({"lyapunov"}, {.start_embedded = start});
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.err, "celt: the store is corrupt\n");
 }
 

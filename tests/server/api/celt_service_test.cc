@@ -8,6 +8,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "host/host_testing.h"
+#include "server/api/error_details.pb.h"
 
 namespace celt::host {
 namespace {
@@ -163,6 +164,30 @@ TEST_F(CeltServiceTest, TakesARequestOnce) {
   EXPECT_EQ(TrySubmit(*stub_, kLost, "r").error_code(), grpc::StatusCode::ALREADY_EXISTS);
   EXPECT_EQ(TrySubmit(*stub_, kShort, std::string(65, 'r')).error_code(),
             grpc::StatusCode::INVALID_ARGUMENT);
+}
+
+TEST_F(CeltServiceTest, NamesTheJobThatIsInTheWayOfARequest) {
+  const std::string id = Submit(*stub_, kShort, "r").id();
+  google::rpc::Status details;
+  const grpc::Status status = TrySubmit(*stub_, kLost, "r");
+  ASSERT_TRUE(details.ParseFromString(status.error_details()));
+  google::rpc::ResourceInfo resource;
+  ASSERT_EQ(details.details_size(), 1);
+  ASSERT_TRUE(details.details(0).UnpackTo(&resource));
+  EXPECT_EQ(resource.resource_name(), id);
+}
+
+TEST_F(CeltServiceTest, GivesAKnownAnswerAtOnceUnlessAFreshOneIsAskedFor) {
+  const v1::Job computed = Submit(*stub_, kShort);
+  WatchToTheEnd(*stub_, computed.id());
+  v1::SubmitJobRequest request = Request(kShort);
+  request.set_fresh(false);
+  grpc::ClientContext context;
+  v1::Job known;
+  ASSERT_TRUE(stub_->SubmitJob(&context, request, &known).ok());
+  EXPECT_EQ(known.id(), computed.id());
+  EXPECT_EQ(known.state(), v1::Job::STATE_SUCCEEDED);
+  EXPECT_NE(Submit(*stub_, kShort).id(), computed.id());
 }
 
 TEST_F(CeltServiceTest, ListsJobsPageByPage) {

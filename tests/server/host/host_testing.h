@@ -33,10 +33,12 @@ inline std::unique_ptr<Host> StartHost(const std::string& data_dir = "", int wor
   return host.ok() ? *std::move(host) : nullptr;
 }
 
+/// A job of its own, whatever is known already.
 inline v1::SubmitJobRequest Request(const std::string& spec, const std::string& request_id = "") {
   v1::SubmitJobRequest request;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(spec, request.mutable_spec())) << spec;
   request.set_request_id(request_id);
+  request.set_fresh(true);
   return request;
 }
 

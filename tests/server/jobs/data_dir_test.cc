@@ -26,8 +26,8 @@ TEST(DataDir, IsHeldByOneAtATime) {
     const auto first = DataDir::Lock(temporary.path());
     ASSERT_TRUE(first.ok()) << first.status();
     const auto second = DataDir::Lock(temporary.path());
-    EXPECT_EQ(second.status().code(), absl::StatusCode::kFailedPrecondition);
-    EXPECT_THAT(std::string(second.status().message()), HasSubstr("in use by another server"));
+    EXPECT_EQ(second.status().code(), absl::StatusCode::kUnavailable);
+    EXPECT_THAT(std::string(second.status().message()), HasSubstr("in use by another celt"));
   }
   EXPECT_TRUE(DataDir::Lock(temporary.path()).ok());
 }

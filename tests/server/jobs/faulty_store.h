@@ -16,7 +16,9 @@ class FaultyStore final : public JobStore {
 
   FaultyStore(JobStore& store, Fault fault) : store_(store), fault_(std::move(fault)) {}
 
-  absl::StatusOr<Job> Create(const Job& job) override { return store_.Create(job); }
+  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) override {
+    return store_.Create(job, request_id, reuse);
+  }
   absl::StatusOr<Job> Get(std::string_view id) const override { return store_.Get(id); }
   absl::StatusOr<JobPage> List(const JobFilter& filter, int size,
                                std::string_view token) const override {
@@ -24,6 +26,10 @@ class FaultyStore final : public JobStore {
   }
   absl::StatusOr<std::vector<Job>> Unfinished() const override { return store_.Unfinished(); }
   absl::Status Delete(std::string_view id) override { return store_.Delete(id); }
+  absl::Status Restart(std::string_view id, std::int64_t engine_version) override {
+    const absl::Status fault = fault_("Restart");
+    return fault.ok() ? store_.Restart(id, engine_version) : fault;
+  }
   absl::Status MarkStarted(std::string_view id, absl::Time now) override {
     const absl::Status fault = fault_("MarkStarted");
     return fault.ok() ? store_.MarkStarted(id, now) : fault;

@@ -116,7 +116,7 @@ TEST(Scheduler, RefusesAWrongSpecificationAndKeepsNothing) {
   const auto store = MemoryStore();
   Scheduler scheduler(*store, ToyFactory({}), Workers(1));
   ASSERT_TRUE(scheduler.Start().ok());
-  EXPECT_TRUE(absl::IsInvalidArgument(scheduler.Submit("toy", "").status()));
+  EXPECT_TRUE(absl::IsInvalidArgument(scheduler.Submit({"toy"}).status()));
   EXPECT_THAT(store->List({}, 1, "")->jobs, IsEmpty());
 }
 
@@ -132,7 +132,7 @@ TEST(Scheduler, RunsARequestOnce) {
   ASSERT_TRUE(scheduler.Start().ok());
   const std::string id = Submit(scheduler, "toy", "request");
   EXPECT_EQ(Submit(scheduler, "toy", "request"), id);
-  EXPECT_TRUE(absl::IsAlreadyExists(scheduler.Submit("other", "request").status()));
+  EXPECT_TRUE(absl::IsAlreadyExists(TrySubmit(scheduler, "other", "request").status()));
   AwaitEnd(scheduler, *store, id);
   EXPECT_EQ(Submit(scheduler, "toy", "request"), id) << "also when it has ended";
   EXPECT_EQ(runs, 1);
@@ -264,7 +264,7 @@ TEST(Scheduler, TakesNoMoreJobsOnceItShutsDown) {
   Scheduler scheduler(*store, ToyFactory({{"toy", {}}}), Workers(1));
   ASSERT_TRUE(scheduler.Start().ok());
   scheduler.Shutdown();
-  EXPECT_TRUE(absl::IsUnavailable(scheduler.Submit("toy", "").status()));
+  EXPECT_TRUE(absl::IsUnavailable(scheduler.Submit({"toy"}).status()));
 }
 
 /// Runs until the unit is reached, shuts down inside it, and goes on with a new scheduler on the

@@ -73,10 +73,17 @@ inline Answer AwaitEnd(Scheduler& scheduler, const JobStore& store, const std::s
 
 inline std::unique_ptr<SqliteStore> MemoryStore() { return *SqliteStore::Open(":memory:"); }
 
-/// Submits, and gives the id.
+/// Submits a job of its own, whatever is known already.
+inline absl::StatusOr<Job> TrySubmit(Scheduler& scheduler, const std::string& specification,
+                                     const std::string& request_id = "") {
+  return scheduler.Submit(
+      {.specification = specification, .owner = {}, .request_id = request_id, .fresh = true});
+}
+
+/// The same; gives the id.
 inline std::string Submit(Scheduler& scheduler, const std::string& specification,
                           const std::string& request_id = "") {
-  const auto job = scheduler.Submit(specification, request_id);
+  const auto job = TrySubmit(scheduler, specification, request_id);
   EXPECT_TRUE(job.ok()) << job.status();
   return job.ok() ? job->id : "";
 }

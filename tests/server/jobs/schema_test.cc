@@ -48,6 +48,51 @@ TEST(Schema, OfANewFileIsMadeOnceAndFoundAgain) {
   }
 }
 
+/// As the first version of this program left it, with a job that has a record.
+constexpr const char* kFirstSchema = R"sql(
+  CREATE TABLE jobs (serial INTEGER PRIMARY KEY AUTOINCREMENT, id TEXT NOT NULL UNIQUE,
+    request_id TEXT UNIQUE, specification BLOB NOT NULL, state INTEGER NOT NULL,
+    work_done REAL NOT NULL, work_total REAL NOT NULL, work_unit TEXT NOT NULL,
+    last_sequence INTEGER NOT NULL, error_code INTEGER NOT NULL, error_message TEXT NOT NULL,
+    result BLOB NOT NULL, created INTEGER NOT NULL, started INTEGER, ended INTEGER);
+  CREATE INDEX jobs_by_state ON jobs (state, serial);
+  CREATE TABLE folds (job INTEGER PRIMARY KEY REFERENCES jobs ON DELETE CASCADE,
+    state BLOB NOT NULL, next_step INTEGER NOT NULL, next_chain INTEGER NOT NULL);
+  CREATE TABLE chains (job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    chain INTEGER NOT NULL, next_step INTEGER NOT NULL, ended INTEGER NOT NULL,
+    checkpoint BLOB NOT NULL, PRIMARY KEY (job, chain)) WITHOUT ROWID;
+  CREATE TABLE payloads (job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    step INTEGER NOT NULL, chain INTEGER NOT NULL, payload BLOB NOT NULL,
+    PRIMARY KEY (job, step, chain)) WITHOUT ROWID;
+  CREATE TABLE records (job INTEGER NOT NULL REFERENCES jobs ON DELETE CASCADE,
+    sequence INTEGER NOT NULL, bytes BLOB NOT NULL, PRIMARY KEY (job, sequence)) WITHOUT ROWID;
+  INSERT INTO jobs VALUES (7, 'old', 'request', x'73706563', 3, 1, 2, 'units', 1, 0, '',
+    x'726573756c74', 1000000000, NULL, 2000000000);
+  INSERT INTO records VALUES (7, 1, x'61');
+  PRAGMA application_id = 0x43454c54;
+  PRAGMA user_version = 1;
+)sql";
+
+TEST(Schema, OfTheFirstVersionIsMigratedWithAllThatIsInIt) {
+  const TemporaryDirectory temporary;
+  Script(temporary / "jobs.sqlite", kFirstSchema);
+  const auto store = SqliteStore::Open(temporary / "jobs.sqlite");
+  ASSERT_TRUE(store.ok()) << store.status();
+  const auto job = (*store)->Get("old");
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_EQ(job->specification, "spec");
+  EXPECT_EQ(job->result, "result");
+  EXPECT_EQ(job->owner, "");
+  EXPECT_EQ(job->created, absl::FromUnixSeconds(1));
+  EXPECT_EQ((*store)->Records("old", 0, 100)->size(), 1U);
+  Job same = *job;
+  same.id = "new";
+  EXPECT_EQ((*store)->Create(same, "request", Reuse::kAnswers)->id, "old");
+  same.engine_version = 1;
+  EXPECT_EQ((*store)->Create(same, "", Reuse::kAnswers)->id, "new") << "of no known engine";
+  EXPECT_TRUE((*store)->Delete("old").ok());
+}
+
 TEST(Schema, RefusesADatabaseOfAnotherProgram) {
   const TemporaryDirectory temporary;
   Script(temporary / "other.sqlite", "CREATE TABLE bookmarks (url TEXT)");
@@ -79,7 +124,7 @@ TEST(Schema, RefusesACorruptFile) {
     job.id = "a";
     job.specification = std::string(100'000, 's');
     job.created = absl::Now();
-    ASSERT_TRUE((*store)->Create(job).ok());
+    ASSERT_TRUE((*store)->Create(job, "", Reuse::kNothing).ok());
   }
   // All but the first page, which says whose file it is and what tables it has.
   constexpr std::streamoff kPage = 4096;

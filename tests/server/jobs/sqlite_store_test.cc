@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "absl/strings/str_cat.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "temporary_directory.h"
+#include "jobs/store_testing.h"
 
 namespace celt::jobs {
 namespace {
@@ -15,70 +14,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr std::size_t kPlenty = 1 << 20;
-// Not a whole second, so that a store that drops the fraction shows.
-const absl::Time kNow = absl::FromUnixNanos(1'700'000'000'123'456'789);
-
-Job NewJob(const std::string& id) {
-  Job job;
-  job.id = id;
-  job.specification = std::string("spec\0with a zero", 16);
-  job.work_total = 12.5;
-  job.work_unit = "units";
-  job.created = kNow;
-  return job;
-}
-
-void ExpectSame(const Job& a, const Job& b) {
-  EXPECT_EQ(a.id, b.id);
-  EXPECT_EQ(a.request_id, b.request_id);
-  EXPECT_EQ(a.specification, b.specification);
-  EXPECT_EQ(a.state, b.state);
-  EXPECT_EQ(a.work_done, b.work_done);
-  EXPECT_EQ(a.work_total, b.work_total);
-  EXPECT_EQ(a.work_unit, b.work_unit);
-  EXPECT_EQ(a.last_sequence, b.last_sequence);
-  EXPECT_EQ(a.error, b.error);
-  EXPECT_EQ(a.result, b.result);
-  EXPECT_EQ(a.created, b.created);
-  EXPECT_EQ(a.started, b.started);
-  EXPECT_EQ(a.ended, b.ended);
-}
-
-std::vector<std::string> Ids(const std::vector<Job>& jobs) {
-  std::vector<std::string> ids;
-  for (const Job& job : jobs) ids.push_back(job.id);
-  return ids;
-}
-
-std::vector<std::string> Bytes(const std::vector<StoredRecord>& records) {
-  std::vector<std::string> bytes;
-  for (const StoredRecord& record : records) {
-    bytes.push_back(absl::StrCat(record.sequence, ":", record.bytes));
-  }
-  return bytes;
-}
-
-class SqliteStoreTest : public ::testing::Test {
- protected:
-  SqliteStoreTest() { Open(); }
-
-  void Open() {
-    store_.reset();
-    auto store = SqliteStore::Open(temporary_ / "jobs.sqlite");
-    ASSERT_TRUE(store.ok()) << store.status();
-    store_ = *std::move(store);
-  }
-  void Add(const std::string& id) { ASSERT_TRUE(store_->Create(NewJob(id)).ok()); }
-
-  TemporaryDirectory temporary_;
-  std::unique_ptr<SqliteStore> store_;
-};
-
 TEST_F(SqliteStoreTest, GivesBackAJobAsItWas) {
   Job job = NewJob("a");
-  job.request_id = "request";
-  ASSERT_TRUE(store_->Create(job).ok());
+  job.owner = "anna";
+  job.engine_version = 7;
+  ASSERT_TRUE(store_->Create(job, "request", Reuse::kNothing).ok());
   Open();
   const auto found = store_->Get("a");
   ASSERT_TRUE(found.ok()) << found.status();
@@ -94,18 +34,6 @@ TEST_F(SqliteStoreTest, KnowsNoJobThatWasNotCreated) {
   EXPECT_TRUE(absl::IsNotFound(store_->Commit(id, {})));
   EXPECT_TRUE(absl::IsNotFound(store_->LoadProgress(id).status()));
   EXPECT_TRUE(absl::IsNotFound(store_->Records(id, 0, kPlenty).status()));
-}
-
-TEST_F(SqliteStoreTest, GivesTheSameJobForTheSameRequest) {
-  Job first = NewJob("a");
-  first.request_id = "request";
-  ASSERT_TRUE(store_->Create(first).ok());
-  Job again = first;
-  again.id = "b";
-  EXPECT_EQ(store_->Create(again)->id, "a");
-  EXPECT_TRUE(absl::IsNotFound(store_->Get("b").status()));
-  again.specification = "another";
-  EXPECT_TRUE(absl::IsAlreadyExists(store_->Create(again).status()));
 }
 
 TEST_F(SqliteStoreTest, MakesANewJobOfEachSubmissionWithoutRequest) {
@@ -179,25 +107,6 @@ TEST_F(SqliteStoreTest, EndsAJobOnce) {
   EXPECT_EQ(store_->Get("a")->error, error);
   EXPECT_EQ(store_->Get("a")->result, "");
   EXPECT_EQ(store_->Get("a")->ended, kNow);
-}
-
-UnitCommit FirstCommit() {
-  UnitCommit commit;
-  commit.position = {.chain = 1, .next_step = 1, .checkpoint = "one", .ended = false};
-  commit.added = {{UnitId{0, 1}, "waits"}};
-  commit.work_done = 1;
-  return commit;
-}
-
-UnitCommit SecondCommit() {
-  UnitCommit commit;
-  commit.position = {.chain = 0, .next_step = 1, .checkpoint = "zero", .ended = true};
-  commit.collected = {{0, 1}};
-  commit.fold_state = "folded";
-  commit.fold_next = {1, 1};
-  commit.records = {"x", "yy", "zzz"};
-  commit.work_done = 2;
-  return commit;
 }
 
 TEST_F(SqliteStoreTest, KeepsWhatWasCommitted) {
@@ -293,7 +202,7 @@ TEST_F(SqliteStoreTest, DeletesAJobWithAllThatIsItsOwn) {
 TEST(SqliteStoreInMemory, Works) {
   const auto store = SqliteStore::Open(":memory:");
   ASSERT_TRUE(store.ok()) << store.status();
-  ASSERT_TRUE((*store)->Create(NewJob("a")).ok());
+  ASSERT_TRUE((*store)->Create(NewJob("a"), "", Reuse::kNothing).ok());
   ASSERT_TRUE((*store)->Commit("a", SecondCommit()).ok());
   EXPECT_EQ((*store)->Records("a", 0, kPlenty)->size(), 3U);
 }
