@@ -51,6 +51,7 @@ absl::StatusOr<v1::Job> CeltService::Submit(const v1::SubmitJobRequest& request)
                                                    " characters; at most ", kLongestRequestId));
   }
   CELT_ASSIGN_OR_RETURN(const v1::JobSpec spec, plans::ResolveSpec(request.spec()));
+  CELT_RETURN_IF_ERROR(plans::CheckLimits(spec, limits_));
   return ToAnswer(scheduler_.Submit({.specification = plans::Serialize(spec),
                                      .owner = {},
                                      .request_id = request.request_id(),

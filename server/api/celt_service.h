@@ -5,6 +5,7 @@
 #include "server/api/open_streams.h"
 #include "server/jobs/scheduler.h"
 #include "server/jobs/store.h"
+#include "server/plans/limits.h"
 
 namespace celt::api {
 
@@ -13,8 +14,9 @@ namespace celt::api {
 class CeltService final : public v1::Celt::CallbackService {
  public:
   /// Both must outlive this, and this the server that it is registered with.
-  CeltService(const jobs::JobStore& store, jobs::Scheduler& scheduler)
-      : store_(store), scheduler_(scheduler) {}
+  CeltService(const jobs::JobStore& store, jobs::Scheduler& scheduler,
+              const plans::SpecLimits& limits)
+      : store_(store), scheduler_(scheduler), limits_(limits) {}
 
   /// Ends all streams, now and in future, with UNAVAILABLE: clients come back later.
   void EndStreams();
@@ -47,6 +49,7 @@ class CeltService final : public v1::Celt::CallbackService {
 
   const jobs::JobStore& store_;
   jobs::Scheduler& scheduler_;
+  const plans::SpecLimits limits_;
   OpenStreams streams_;
 };
 

@@ -51,11 +51,13 @@ absl::StatusOr<std::unique_ptr<Host>> Host::Start(HostOptions options) {
   jobs::SchedulerOptions scheduling;
   scheduling.workers = options.workers;
   scheduling.engine_version = plans::kEngineVersion;
+  scheduling.limits = options.job_limits;
   scheduling.on_demand = options.on_demand;
   scheduling.on_error = std::move(options.on_error);
   host->scheduler_ =
       std::make_unique<jobs::Scheduler>(*host->store_, plans::MakePlan, std::move(scheduling));
-  host->service_ = std::make_unique<api::CeltService>(*host->store_, *host->scheduler_);
+  host->service_ =
+      std::make_unique<api::CeltService>(*host->store_, *host->scheduler_, options.spec_limits);
   CELT_RETURN_IF_ERROR(host->scheduler_->Start());
   CELT_RETURN_IF_ERROR(host->StartServer(options.listen));
   return host;

@@ -23,7 +23,9 @@ struct HostOptions {
       data_dir;     ///< made if there is none, held by this host alone; empty: jobs live in memory
   int workers = 0;  ///< threads that compute; 0: as many as there are cores
   bool on_demand = false;  ///< jobs of an earlier run sleep until they are asked for
-  std::string listen;      ///< "host:port", port 0 for a free one; empty: in-process channels only
+  plans::SpecLimits spec_limits;
+  jobs::JobLimits job_limits;
+  std::string listen;  ///< "host:port", port 0 for a free one; empty: in-process channels only
   /// Told of trouble that no client is told of.
   std::function<void(std::string_view job, const absl::Status& error)> on_error =
       [](std::string_view, const absl::Status&) {};

@@ -15,18 +15,22 @@
 namespace celt::jobs {
 
 /// A job that has not ended, in memory. The queue and what follows it are under the scheduler's
-/// mutex, which is never held for long; the fold is under one of its own, which is held while a
-/// unit is committed.
+/// mutex, which is never held for long; the fold and what is counted beside it are under one of
+/// their own, which is held while a unit is committed.
 struct Scheduler::ActiveJob {
   ActiveJob(const Job& job, std::unique_ptr<Plan> its_plan, const Progress& progress,
             std::int64_t run_ahead)
       : id(job.id),
+        owner(job.owner),
         plan(std::move(its_plan)),
         queue(*plan, progress, run_ahead),
         started(job.state != JobState::kQueued),
-        fold(*plan, progress, job.work_done) {}
+        fold(*plan, progress, job.work_done),
+        unit_seconds(job.unit_seconds),
+        records(job.last_sequence) {}
 
   const std::string id;
+  const std::string owner;
   const std::unique_ptr<Plan> plan;
   std::atomic<bool> stop = false;  ///< its units are to stop: it is cancelled, deleted or lost
 
@@ -39,6 +43,8 @@ struct Scheduler::ActiveJob {
 
   std::mutex fold_mutex;
   Fold fold;
+  double unit_seconds;   ///< that its units have computed
+  std::int64_t records;  ///< in the store
   bool lost = false;  ///< a commit was given up: memory is ahead of the store, nothing more may be
                       ///< committed
 };

@@ -23,6 +23,7 @@ struct Job {
   JobState state = JobState::kQueued;
   double work_done = 0;
   double work_total = 0;
+  double unit_seconds = 0;         ///< that its units have computed, one after the other
   std::string work_unit;           ///< plural, such as "iterates"
   std::int64_t last_sequence = 0;  ///< of its records; 0 while there is none
   absl::Status error;              ///< not OK exactly when the state is kFailed

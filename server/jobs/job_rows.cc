@@ -39,6 +39,7 @@ JobRow ToJobRow(const Row& row) {
   job.created = TimeAt(row, column++);
   job.started = TimeAt(row, column++);
   job.ended = TimeAt(row, column++);
+  job.unit_seconds = row.Real(column++);
   return result;
 }
 

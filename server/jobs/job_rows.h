@@ -21,12 +21,13 @@ struct JobRow {
 };
 
 /// Columns of a query whose rows ToJobRow reads.
-#define CELT_JOB_COLUMNS                                                             \
-  "serial, id, owner, specification, engine_version, state, work_done, work_total, " \
-  "work_unit, last_sequence, error_code, error_message, result, created, started, ended"
+#define CELT_JOB_COLUMNS                                                                   \
+  "serial, id, owner, specification, engine_version, state, work_done, work_total, "       \
+  "work_unit, last_sequence, error_code, error_message, result, created, started, ended, " \
+  "unit_seconds"
 
 /// How many those are.
-inline constexpr int kJobColumns = 16;
+inline constexpr int kJobColumns = 17;
 
 JobRow ToJobRow(const Row& row);
 

@@ -4,8 +4,10 @@
 #include <random>
 #include <utility>
 
+#include "absl/strings/cord.h"
 #include "absl/strings/str_cat.h"
 #include "server/jobs/active_job.h"
+#include "server/jobs/status_details.h"
 #include "server/jobs/status_macros.h"
 
 namespace celt::jobs {
@@ -18,6 +20,13 @@ int CountWorkers(int asked) {
 
 absl::Status ShuttingDown() {
   return absl::UnavailableError("the server is shutting down; come back later");
+}
+
+absl::Status Full(const std::string& why) {
+  constexpr const char* kRetrySeconds = "5";
+  absl::Status status = absl::ResourceExhaustedError(absl::StrCat(why, "; try again later"));
+  status.SetPayload(kRetrySecondsPayload, absl::Cord(kRetrySeconds));
+  return status;
 }
 
 }  // namespace
@@ -107,13 +116,35 @@ absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   Reuse reuse = options_.on_demand ? Reuse::kAnswersAndUnfinished : Reuse::kAnswers;
   if (submission.fresh) reuse = Reuse::kNothing;
   const std::lock_guard lock(activation_mutex_);
-  CELT_ASSIGN_OR_RETURN(Job stored, store_.Create(job, submission.request_id, reuse));
+  CELT_ASSIGN_OR_RETURN(Job stored,
+                        store_.Create(job, submission.request_id, reuse, Room(job.owner)));
   if (stored.id == job.id) {
     Activate(job, std::move(plan), {});
   } else if (options_.on_demand) {
     CELT_RETURN_IF_ERROR(WakeUnderMutex(stored.id));
   }
   return stored;
+}
+
+/// Whether there is room for a new job of the owner's.
+absl::Status Scheduler::Room(const std::string& owner) {
+  const JobLimits& limits = options_.limits;
+  const std::lock_guard lock(mutex_);
+  if (std::ssize(active_) >= limits.unfinished) {
+    return Full(absl::StrCat("the queue is full: ", active_.size(), " jobs have not ended"));
+  }
+  const auto own = unfinished_.find(owner);
+  if (own == unfinished_.end() || own->second < limits.unfinished_per_owner) {
+    return absl::OkStatus();
+  }
+  return Full(absl::StrCat(own->second, " jobs of yours have not ended, which is the limit"));
+}
+
+/// Under mutex_.
+void Scheduler::Deactivate(const ActiveJob& job) {
+  if (active_.erase(job.id) == 0) return;
+  const auto own = unfinished_.find(job.owner);
+  if (--own->second == 0) unfinished_.erase(own);
 }
 
 void Scheduler::Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress) {
@@ -123,6 +154,7 @@ void Scheduler::Activate(const Job& job, std::unique_ptr<Plan> plan, const Progr
   {
     const std::lock_guard lock(mutex_);
     active_.emplace(active->id, active);
+    ++unfinished_[active->owner];
     List(active);
     // An empty plan, or one that was interrupted between its last unit and its end.
     close = ClaimClosing(*active);

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,9 +16,11 @@
 #include "absl/status/statusor.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "server/jobs/limits.h"
 #include "server/jobs/notifier.h"
 #include "server/jobs/plan.h"
 #include "server/jobs/store.h"
+#include "server/jobs/turns.h"
 
 namespace celt::jobs {
 
@@ -34,6 +35,7 @@ struct SchedulerOptions {
   /// Jobs of an earlier run sleep until somebody submits the same again, or follows them: for a
   /// service that lives as long as one question.
   bool on_demand = false;
+  JobLimits limits;
   std::int64_t run_ahead = 64;  ///< units of a job that may be done before they can be folded
   std::function<absl::Time()> clock = absl::Now;
   std::function<std::string()> new_id = RandomJobId;
@@ -52,10 +54,10 @@ struct Submission {
   bool fresh = false;  ///< compute, although the answer may be in the store
 };
 
-/// Runs jobs on a pool of threads. Units of different jobs take turns; within a job the lowest
-/// ready unit in the plan's order goes first. Payloads are folded in the plan's order and committed
-/// with their unit, so that records and result do not depend on threads or interruptions. Safe to
-/// use from many threads.
+/// Runs jobs on a pool of threads. Owners take turns, and units of an owner's jobs do; within a job
+/// the lowest ready unit in the plan's order goes first. Payloads are folded in the plan's order
+/// and committed with their unit, so that records and result do not depend on threads or
+/// interruptions. Safe to use from many threads.
 ///
 /// A job whose unit fails becomes FAILED once everything before that unit is folded; which unit's
 /// error it shows, and its records, are therefore always the same.
@@ -77,7 +79,8 @@ class Scheduler {
 
   /// Accepts a job; its plan is made first, so that a wrong specification is refused with the
   /// factory's error. Unless it is to be fresh, a job that has given the answer is returned
-  /// instead. `request_id` as in JobStore::Create. UNAVAILABLE once Shutdown has begun.
+  /// instead. `request_id` as in JobStore::Create. RESOURCE_EXHAUSTED: there are too many jobs, its
+  /// payload kRetrySecondsPayload says when to try again. UNAVAILABLE once Shutdown has begun.
   absl::StatusOr<Job> Submit(const Submission& submission);
   /// Goes on with a sleeping job: for those who follow it. Nothing to do is no error.
   absl::Status Wake(std::string_view id);
@@ -98,6 +101,8 @@ class Scheduler {
 
   absl::Status Resume(Job job);
   absl::Status WakeUnderMutex(std::string_view id);
+  absl::Status Room(const std::string& owner);
+  void Deactivate(const ActiveJob& job);
   absl::Status CancelSleeping(std::string_view id);
   void Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress);
 
@@ -105,7 +110,8 @@ class Scheduler {
   bool TakeTask(Task& task);
   void List(const JobPointer& job);
   void RunTask(const Task& task);
-  void CommitUnit(const Task& task, UnitOutput output);
+  void CommitUnit(const Task& task, UnitOutput output, absl::Duration took);
+  absl::Status CheckLimits(const ActiveJob& job) const;
   void FailUnit(const Task& task, const absl::Status& error);
   bool ClaimClosing(ActiveJob& job) const;
   void Settle(const JobPointer& job);
@@ -127,8 +133,9 @@ class Scheduler {
   std::condition_variable listed_or_stopping_;  // what workers wait for
   std::condition_variable give_up_;  // what a pause before trying the store again waits for
   std::map<std::string, JobPointer, std::less<>> active_;  // under mutex_
-  std::deque<JobPointer> listed_;     // jobs with a ready unit, by turns; under mutex_
-  std::vector<std::thread> threads_;  // under shutdown_mutex_
+  std::map<std::string, std::int64_t> unfinished_;         // jobs by owner; under mutex_
+  Turns<JobPointer> listed_;                               // jobs with a ready unit; under mutex_
+  std::vector<std::thread> threads_;                       // under shutdown_mutex_
   std::mutex shutdown_mutex_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "server/jobs/active_job.h"
 #include "server/jobs/scheduler.h"
 #include "server/jobs/status_macros.h"
@@ -31,7 +32,7 @@ void Scheduler::Work() {
 void Scheduler::List(const JobPointer& job) {
   if (job->listed || job->stop || job->closing || !job->queue.HasReady()) return;
   job->listed = true;
-  listed_.push_back(job);
+  listed_.Push(job->owner, job);
   listed_or_stopping_.notify_one();
 }
 
@@ -41,8 +42,7 @@ bool Scheduler::TakeTask(Task& task) {
   for (;;) {
     listed_or_stopping_.wait(lock, [this] { return stopping_ || !listed_.empty(); });
     if (stopping_) return false;
-    const JobPointer job = std::move(listed_.front());
-    listed_.pop_front();
+    const JobPointer job = listed_.Pop();
     job->listed = false;
     if (job->stop || job->closing || !job->queue.HasReady()) continue;
     task.position = job->queue.Take();
@@ -63,14 +63,16 @@ void Scheduler::RunTask(const Task& task) {
     notifier_.Notify(job.id);
   }
   const StopRequested stop = [&] { return stopping_ || job.stop; };
+  const absl::Time began = options_.clock();
   absl::StatusOr<UnitOutput> output = job.plan->Run(task.unit(), task.position.checkpoint, stop);
-  if (output.ok()) return CommitUnit(task, *std::move(output));
+  const absl::Duration took = options_.clock() - began;
+  if (output.ok()) return CommitUnit(task, *std::move(output), took);
   // Interrupted: the unit will be run again at the next start, unless the job is cancelled.
   if (absl::IsCancelled(output.status()) && stop()) return;
   FailUnit(task, output.status());
 }
 
-void Scheduler::CommitUnit(const Task& task, UnitOutput output) {
+void Scheduler::CommitUnit(const Task& task, UnitOutput output, absl::Duration took) {
   ActiveJob& job = *task.job;
   std::unique_lock fold_lock(job.fold_mutex);
   if (job.lost || job.stop) return;
@@ -79,6 +81,8 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output) {
     job.lost = true;
     return FailUnit(task, commit.status());
   }
+  commit->unit_seconds = job.unit_seconds += absl::ToDoubleSeconds(took);
+  job.records += std::ssize(commit->records);
   if (!Persist(job, [&] { return store_.Commit(job.id, *commit); }).ok()) {
     job.lost = true;
     return;
@@ -86,10 +90,27 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output) {
   {
     const std::lock_guard lock(mutex_);
     job.queue.Done(std::move(commit->position), commit->fold_next, commit->folded);
+    if (const absl::Status limit = CheckLimits(job); !limit.ok() && !job.queue.Complete()) {
+      job.queue.Failed(commit->fold_next, limit);
+      // No other unit of the job may be folded after this one.
+      job.stop = true;
+    }
     List(task.job);
   }
   fold_lock.unlock();
   notifier_.Notify(job.id);
+}
+
+absl::Status Scheduler::CheckLimits(const ActiveJob& job) const {
+  const JobLimits& limits = options_.limits;
+  if (absl::Seconds(job.unit_seconds) > limits.computing_time) {
+    return absl::ResourceExhaustedError(absl::StrCat("it has computed for ",
+                                                     absl::FormatDuration(limits.computing_time),
+                                                     ", which is this server's limit"));
+  }
+  if (job.records <= limits.records) return absl::OkStatus();
+  return absl::ResourceExhaustedError(
+      absl::StrCat("it has more records than this server's limit of ", limits.records));
 }
 
 void Scheduler::FailUnit(const Task& task, const absl::Status& error) {
@@ -138,7 +159,7 @@ void Scheduler::Close(const JobPointer& job) {
   Persist(*job, [&] { return End(*job); }).IgnoreError();
   {
     const std::lock_guard lock(mutex_);
-    active_.erase(job->id);
+    Deactivate(*job);
   }
   notifier_.Notify(job->id);
 }

@@ -15,7 +15,7 @@ constexpr std::int64_t kApplicationId = 0x43454c54;
 
 /// Each entry leads from the schema of its index to the next. Never change one that was released:
 /// append.
-constexpr std::array<const char*, 2> kMigrations = {
+constexpr std::array<const char*, 3> kMigrations = {
     R"sql(
   CREATE TABLE jobs (
     serial INTEGER PRIMARY KEY AUTOINCREMENT,  -- the order of creation
@@ -98,6 +98,9 @@ constexpr std::array<const char*, 2> kMigrations = {
   ALTER TABLE new_jobs RENAME TO jobs;
   CREATE INDEX jobs_by_state ON jobs (state, serial);
   CREATE INDEX jobs_by_specification ON jobs (owner, specification);
+)sql",
+    R"sql(
+  ALTER TABLE jobs ADD COLUMN unit_seconds REAL NOT NULL DEFAULT 0;
 )sql"};
 constexpr std::int64_t kSchema = kMigrations.size();
 

@@ -40,7 +40,8 @@ absl::StatusOr<std::unique_ptr<SqliteStore>> SqliteStore::Open(const std::string
   return std::unique_ptr<SqliteStore>(new SqliteStore(std::move(database)));
 }
 
-absl::StatusOr<Job> SqliteStore::Create(const Job& job, std::string_view request_id, Reuse reuse) {
+absl::StatusOr<Job> SqliteStore::Create(const Job& job, std::string_view request_id, Reuse reuse,
+                                        const absl::Status& room) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(*database_);
   CELT_RETURN_IF_ERROR(transaction.Begin());
@@ -49,6 +50,7 @@ absl::StatusOr<Job> SqliteStore::Create(const Job& job, std::string_view request
   if (row) return std::move(row->job);
   CELT_ASSIGN_OR_RETURN(row, FindSame(*database_, job, reuse));
   if (!row) {
+    CELT_RETURN_IF_ERROR(room);
     CELT_RETURN_IF_ERROR(InsertJob(*database_, job));
     row = JobRow{database_->LastRowId(), job};
   }
@@ -115,10 +117,11 @@ absl::Status SqliteStore::Restart(std::string_view id, std::int64_t engine_versi
   if (HasEnded(row.job.state)) return HasEndedError(id);
   CELT_RETURN_IF_ERROR(DeleteProgress(*database_, row.serial));
   CELT_RETURN_IF_ERROR(database_->Run("DELETE FROM records WHERE job = ?", {row.serial}));
-  CELT_RETURN_IF_ERROR(database_->Run(
-      "UPDATE jobs SET engine_version = ?, state = 1, work_done = 0, last_sequence = 0, "
-      "started = NULL WHERE serial = ?",
-      {engine_version, row.serial}));
+  CELT_RETURN_IF_ERROR(
+      database_->Run("UPDATE jobs SET engine_version = ?, state = 1, work_done = 0, unit_seconds = "
+                     "0, last_sequence = 0, "
+                     "started = NULL WHERE serial = ?",
+                     {engine_version, row.serial}));
   return transaction.Commit();
 }
 
@@ -157,8 +160,9 @@ absl::Status SqliteStore::Commit(std::string_view id, const UnitCommit& commit) 
   CELT_RETURN_IF_ERROR(
       AppendRecords(*database_, row.serial, row.job.last_sequence, commit.records));
   CELT_RETURN_IF_ERROR(database_->Run(
-      "UPDATE jobs SET work_done = ?, last_sequence = last_sequence + ? WHERE serial = ?",
-      {commit.work_done, std::ssize(commit.records), row.serial}));
+      "UPDATE jobs SET work_done = ?, unit_seconds = ?, last_sequence = last_sequence + ? "
+      "WHERE serial = ?",
+      {commit.work_done, commit.unit_seconds, std::ssize(commit.records), row.serial}));
   return transaction.Commit();
 }
 

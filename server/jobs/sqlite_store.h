@@ -17,7 +17,8 @@ class SqliteStore final : public JobStore {
   /// `path` of a file, made if there is none, or ":memory:". Errors as of PrepareSchema.
   static absl::StatusOr<std::unique_ptr<SqliteStore>> Open(const std::string& path);
 
-  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) override;
+  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
+                             const absl::Status& room) override;
   absl::StatusOr<Job> Get(std::string_view id) const override;
   absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,
                                std::string_view page_token) const override;

@@ -38,6 +38,7 @@ struct UnitCommit {
   std::int64_t folded = 0;                ///< units folded by this commit; not stored
   std::vector<std::string> records;       ///< appended to the job's records in this order
   double work_done = 0;                   ///< of the whole job
+  double unit_seconds = 0;                ///< of the whole job
 };
 
 /// Where a job's plan stands: all that is needed to go on with it.
@@ -70,8 +71,9 @@ class JobStore {
 
   /// Adds a job, or returns what may be used again. An owner's non-empty `request_id` always gives
   /// the job that it gave first: ALREADY_EXISTS when that one has another specification, or `reuse`
-  /// was another.
-  virtual absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) = 0;
+  /// was another. `room` not OK: there is none for a new job, and why.
+  virtual absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
+                                     const absl::Status& room) = 0;
   virtual absl::StatusOr<Job> Get(std::string_view id) const = 0;
   /// INVALID_ARGUMENT: the page token is not one of ours.
   virtual absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,

@@ -16,8 +16,9 @@ class FaultyStore final : public JobStore {
 
   FaultyStore(JobStore& store, Fault fault) : store_(store), fault_(std::move(fault)) {}
 
-  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse) override {
-    return store_.Create(job, request_id, reuse);
+  absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
+                             const absl::Status& room) override {
+    return store_.Create(job, request_id, reuse, room);
   }
   absl::StatusOr<Job> Get(std::string_view id) const override { return store_.Get(id); }
   absl::StatusOr<JobPage> List(const JobFilter& filter, int size,

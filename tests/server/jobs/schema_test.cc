@@ -87,9 +87,10 @@ TEST(Schema, OfTheFirstVersionIsMigratedWithAllThatIsInIt) {
   EXPECT_EQ((*store)->Records("old", 0, 100)->size(), 1U);
   Job same = *job;
   same.id = "new";
-  EXPECT_EQ((*store)->Create(same, "request", Reuse::kAnswers)->id, "old");
+  EXPECT_EQ((*store)->Create(same, "request", Reuse::kAnswers, absl::OkStatus())->id, "old");
   same.engine_version = 1;
-  EXPECT_EQ((*store)->Create(same, "", Reuse::kAnswers)->id, "new") << "of no known engine";
+  EXPECT_EQ((*store)->Create(same, "", Reuse::kAnswers, absl::OkStatus())->id, "new")
+      << "of no known engine";
   EXPECT_TRUE((*store)->Delete("old").ok());
 }
 
@@ -124,7 +125,7 @@ TEST(Schema, RefusesACorruptFile) {
     job.id = "a";
     job.specification = std::string(100'000, 's');
     job.created = absl::Now();
-    ASSERT_TRUE((*store)->Create(job, "", Reuse::kNothing).ok());
+    ASSERT_TRUE((*store)->Create(job, "", Reuse::kNothing, absl::OkStatus()).ok());
   }
   // All but the first page, which says whose file it is and what tables it has.
   constexpr std::streamoff kPage = 4096;

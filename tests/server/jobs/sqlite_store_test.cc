@@ -18,7 +18,7 @@ TEST_F(SqliteStoreTest, GivesBackAJobAsItWas) {
   Job job = NewJob("a");
   job.owner = "anna";
   job.engine_version = 7;
-  ASSERT_TRUE(store_->Create(job, "request", Reuse::kNothing).ok());
+  ASSERT_TRUE(store_->Create(job, "request", Reuse::kNothing, absl::OkStatus()).ok());
   Open();
   const auto found = store_->Get("a");
   ASSERT_TRUE(found.ok()) << found.status();
@@ -202,7 +202,7 @@ TEST_F(SqliteStoreTest, DeletesAJobWithAllThatIsItsOwn) {
 TEST(SqliteStoreInMemory, Works) {
   const auto store = SqliteStore::Open(":memory:");
   ASSERT_TRUE(store.ok()) << store.status();
-  ASSERT_TRUE((*store)->Create(NewJob("a"), "", Reuse::kNothing).ok());
+  ASSERT_TRUE((*store)->Create(NewJob("a"), "", Reuse::kNothing, absl::OkStatus()).ok());
   ASSERT_TRUE((*store)->Commit("a", SecondCommit()).ok());
   EXPECT_EQ((*store)->Records("a", 0, kPlenty)->size(), 3U);
 }

@@ -87,7 +87,7 @@ class SqliteStoreTest : public ::testing::Test {
     store_ = *std::move(store);
   }
   void Add(const std::string& id) {
-    ASSERT_TRUE(store_->Create(NewJob(id), "", Reuse::kNothing).ok());
+    ASSERT_TRUE(store_->Create(NewJob(id), "", Reuse::kNothing, absl::OkStatus()).ok());
   }
 
   void AddEnded(const std::string& id, JobState state) {
