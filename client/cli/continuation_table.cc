@@ -101,14 +101,12 @@ std::string ContinuationLine(const v1::Record& record) {
 std::string ContinuationTable(const v1::JobSpec& spec, const v1::ContinuationResult& result) {
   const v1::ContinuationSpec& asked = spec.continuation();
   const std::string parameter = asked.parameter().empty() ? "parameter" : asked.parameter();
-  TextTable accuracy({});
-  AddAccuracy(result.accuracy(), accuracy);
   const std::string what =
       asked.period() > 1 ? absl::StrCat("cycles of period ", asked.period()) : "fixed points";
   return absl::StrCat("\nBranch of ", what, " of ", spec.system().name(), ", ", parameter, " from ",
                       Shortest(asked.from()), " to ", Shortest(asked.to()), "\n\n",
                       Bifurcations(parameter, result), "\n", Branches(parameter, result), "\n",
-                      accuracy.Text(), WarningsText(result.accuracy()));
+                      AccuracyText(result.accuracy()));
 }
 
 }  // namespace celt::cli

@@ -8,6 +8,7 @@
 #include "absl/strings/str_replace.h"
 #include "client/cli/format.h"
 #include "client/cli/point.h"
+#include "client/cli/text_table.h"
 
 namespace celt::cli {
 namespace {
@@ -71,14 +72,12 @@ void AddCycle(const v1::Cycle& cycle, CsvRow& row) {
   row.emplace_back("residual", Shortest(cycle.residual()));
 }
 
-void AddAccuracy(const v1::Accuracy& accuracy, TextTable& table) {
-  if (!accuracy.has_map_error()) return;
-  table.Add({"map error", Significant(accuracy.map_error(), 2)});
-  table.Add({"of its derivative", Significant(accuracy.jacobian_error(), 2)});
-}
-
-std::string WarningsText(const v1::Accuracy& accuracy) {
+std::string AccuracyText(const v1::Accuracy& accuracy) {
   std::string text;
+  if (accuracy.has_map_error()) {
+    absl::StrAppend(&text, "  map error ", Significant(accuracy.map_error(), 2),
+                    ", of its derivative ", Significant(accuracy.jacobian_error(), 2), "\n");
+  }
   for (const std::string& warning : accuracy.warnings()) {
     absl::StrAppend(&text, "  warning: ", warning, "\n");
   }

@@ -5,7 +5,6 @@
 #include "celt/v1/cycle.pb.h"
 #include "celt/v1/system.pb.h"
 #include "client/cli/analysis.h"
-#include "client/cli/text_table.h"
 
 namespace celt::cli {
 
@@ -29,9 +28,7 @@ std::string LorenzMark(const v1::Cycle& cycle);
 /// Cells of a cycle: its first point, its type, return time, multipliers and residual.
 void AddCycle(const v1::Cycle& cycle, CsvRow& row);
 
-/// Rows of a table of measures: "map error" and "of its derivative", when they were measured.
-void AddAccuracy(const v1::Accuracy& accuracy, TextTable& table);
-/// A line for each warning.
-std::string WarningsText(const v1::Accuracy& accuracy);
+/// A line with the errors of the map, when they were measured, and one for each warning.
+std::string AccuracyText(const v1::Accuracy& accuracy);
 
 }  // namespace celt::cli

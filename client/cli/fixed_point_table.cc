@@ -44,12 +44,11 @@ std::string Multipliers(const v1::Cycle& cycle) {
   return table.Text();
 }
 
-std::string Measures(const v1::Cycle& cycle, const v1::Accuracy& accuracy) {
+std::string Measures(const v1::Cycle& cycle) {
   TextTable table({});
   table.Add({"return time", Decimals(cycle.return_time(), kPointDecimals)});
   table.Add({"residual", Significant(cycle.residual(), 2)});
   table.Add({"last correction", Significant(cycle.correction(), 2)});
-  AddAccuracy(accuracy, table);
   return table.Text();
 }
 
@@ -101,10 +100,7 @@ std::string SearchTable(const v1::JobSpec& spec, const v1::FixedPointResult& res
       SystemTitle(spec.system()), ": ",
       result.cycles().empty() ? "none found" : absl::StrCat(result.cycles_size(), " found"), "\n");
   for (int i = 0; i < result.cycles_size(); ++i) absl::StrAppend(&text, Block(result, i));
-  TextTable accuracy({});
-  AddAccuracy(result.accuracy(), accuracy);
-  return absl::StrCat(text, "\n", TallyText(result.tally()), accuracy.Text(),
-                      WarningsText(result.accuracy()));
+  return absl::StrCat(text, "\n", TallyText(result.tally()), AccuracyText(result.accuracy()));
 }
 
 }  // namespace
@@ -112,10 +108,9 @@ std::string SearchTable(const v1::JobSpec& spec, const v1::FixedPointResult& res
 std::string FixedPointTable(const v1::JobSpec& spec, const v1::FixedPointResult& result) {
   if (result.has_tally() || result.cycles().empty()) return SearchTable(spec, result);
   const v1::Cycle& cycle = result.cycles(0);
-  std::string text =
-      absl::StrCat(Kind(cycle.period()), " of ", SystemTitle(spec.system()), ": ", cycle.type(),
-                   "\n\n", Points(cycle), "\n", Multipliers(cycle), "\n",
-                   Measures(cycle, result.accuracy()), WarningsText(result.accuracy()));
+  std::string text = absl::StrCat(Kind(cycle.period()), " of ", SystemTitle(spec.system()), ": ",
+                                  cycle.type(), "\n\n", Points(cycle), "\n", Multipliers(cycle),
+                                  "\n", Measures(cycle), AccuracyText(result.accuracy()));
   if (cycle.lorenz_conditions().empty()) return text;
   absl::StrAppend(&text, "\nThe paper's test for a discrete Lorenz attractor, with margins: ",
                   LorenzMark(cycle), "\n", LorenzTestText(cycle));

@@ -146,8 +146,7 @@ Branch of fixed points of celtic-stone, energy from 752 to 747
   branch  period  points  energy from  to      end
   0       1       53      752          747.25  left the domain: gamma3 goes to 0
 
-  map error          1.5e-13
-  of its derivative  5e-13
+  map error 1.5e-13, of its derivative 5e-13
 )");
 }
 

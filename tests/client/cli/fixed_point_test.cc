@@ -169,8 +169,7 @@ TEST(FixedPointTable, ShowsHowASearchWent) {
   no start led here, its own mirror image
 
 Of 2 000 starts 12 found a cycle, 1 988 did not converge.
-  map error          2.5e-11
-  of its derivative  1e-10
+  map error 2.5e-11, of its derivative 1e-10
 )");
 }
 
