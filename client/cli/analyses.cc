@@ -1,6 +1,7 @@
 #include "client/cli/analysis.h"
 #include "client/cli/continuation.h"
 #include "client/cli/fixed_point.h"
+#include "client/cli/hyperbolicity.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/manifold.h"
 #include "client/cli/orbit.h"
@@ -20,6 +21,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeOrbit());
   analyses.push_back(MakeReproduce());
   analyses.push_back(MakeManifold());
+  analyses.push_back(MakeHyperbolicity());
   return analyses;
 }
 

@@ -81,8 +81,10 @@ HyperbolicityTest TestAngle(const HyperbolicityReport& report, double median) {
   const double promised = report.tail.promised_minimum;
   HyperbolicityTest test = Above("angle", promised, median / 10, median / 100);
   test.margin = std::log10(promised / test.pass_limit);
-  test.why = absl::StrCat("minimum ", report.minimum.angle, " rad, tail index ", report.tail.index,
-                          ": a ", kLonger, " times longer orbit promises ", promised, " rad");
+  const bool ends = std::isinf(report.tail.index);
+  test.why = absl::StrCat("minimum ", report.minimum.angle, " rad, tail index ",
+                          ends ? "beyond measure" : absl::StrCat(report.tail.index), ": a ",
+                          kLonger, " times longer orbit promises ", promised, " rad");
   return test;
 }
 
@@ -155,13 +157,17 @@ absl::Status CheckRun(const HyperbolicityRun& run) {
 
 }  // namespace
 
+std::int64_t LeastIterates(const HyperbolicityOptions& options) {
+  return kLeastBlocks * options.block + options.settle;
+}
+
 absl::StatusOr<HyperbolicityReport> JudgeHyperbolicity(const HyperbolicitySums& sums,
                                                        const HyperbolicityOptions& options,
                                                        const LmpOptions& lmp) {
   if (std::ssize(sums.block_minima) < kLeastBlocks) {
     return absl::InvalidArgumentError(
         absl::StrCat("iterates: ", sums.samples + options.settle, " is not allowed; at least ",
-                     kLeastBlocks * options.block + options.settle, " are needed for a verdict"));
+                     LeastIterates(options), " are needed for a verdict"));
   }
   HyperbolicityReport report = DescribeAngles(sums);
   report.spectrum = Summarize(sums.batches);

@@ -85,6 +85,9 @@ absl::StatusOr<HyperbolicityReport> JudgeHyperbolicity(const HyperbolicitySums& 
                                                        const HyperbolicityOptions& options,
                                                        const LmpOptions& lmp = {});
 
+/// The least iterates of which JudgeHyperbolicity gives a verdict.
+std::int64_t LeastIterates(const HyperbolicityOptions& options);
+
 inline constexpr double kLmpNear = 0.0316227766;  ///< [standard deviations], an edge of a bin
 
 /// A whole orbit in one call.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace celt {
 namespace {
@@ -43,12 +44,15 @@ void AngleHistogram::Add(double angle) {
   if (bins.empty()) bins.resize(kBins);
   const double place = std::log(std::max(angle, kLeastAngle) / kLeastAngle) / kLogRange;
   ++bins[std::clamp(static_cast<int>(place * kBins), 0, kBins - 1)];
-  ++count_;
+}
+
+std::int64_t AngleHistogram::count() const {
+  return std::accumulate(bins.begin(), bins.end(), std::int64_t{0});
 }
 
 double AngleHistogram::Quantile(double fraction) const {
-  assert(count_ > 0);
-  const double wanted = fraction * static_cast<double>(count_);
+  assert(count() > 0);
+  const double wanted = fraction * static_cast<double>(count());
   double below = 0;
   for (int i = 0; i < kBins; ++i) {
     const auto here = static_cast<double>(bins[i]);

@@ -39,16 +39,13 @@ struct ClosestApproach {
 class AngleHistogram {
  public:
   void Add(double angle);
-  std::int64_t count() const { return count_; }
+  std::int64_t count() const;
   /// The angle below which a fraction of the angles lies, good to half a bin, 2 %. Precondition:
   /// count() > 0.
   double Quantile(double fraction) const;
 
   /// Plain data, to be stored.
   std::vector<std::int64_t> bins;
-
- private:
-  std::int64_t count_ = 0;
 };
 
 /// What is kept of an orbit's splitting: plain data whose size grows by 8 bytes a block and 150

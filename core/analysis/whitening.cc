@@ -8,6 +8,8 @@
 namespace celt {
 namespace {
 
+/// Of coordinates: points closer than that are one point.
+constexpr double kRounding = 1e-14;
 constexpr double kLeastDeviation = 1e-9;  // of the largest
 
 }  // namespace
@@ -54,7 +56,8 @@ Whitening WhiteningOf(const CovarianceSums& sums) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(covariance);
   Eigen::VectorXd deviation = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
   const double largest = deviation.maxCoeff();
-  if (largest > 0) {
+  const double size = sums.reference.cwiseAbs().maxCoeff() + 1;
+  if (largest > kRounding * size) {
     deviation = deviation.cwiseMax(kLeastDeviation * largest);
   } else {
     deviation.setOnes();

@@ -23,7 +23,7 @@ struct CovarianceSums {
 /// metric: this one is the attractor's own.
 ///
 /// Standard deviations along the principal axes that are less than 10⁻⁹ of the largest are taken
-/// for that; if all vanish (a fixed point), W = 1.
+/// for that; if all are no more than rounding of the coordinates (a fixed point), W = 1.
 struct Whitening {
   Point mean;
   SquareMatrix matrix;   ///< W, symmetric

@@ -4,6 +4,8 @@
 #include "server/plans/continuation_spec.h"
 #include "server/plans/fixed_point_plan.h"
 #include "server/plans/fixed_point_spec.h"
+#include "server/plans/hyperbolicity_plan.h"
+#include "server/plans/hyperbolicity_spec.h"
 #include "server/plans/lyapunov_plan.h"
 #include "server/plans/lyapunov_spec.h"
 #include "server/plans/manifold_plan.h"
@@ -34,6 +36,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
   switch (spec.analysis_case()) {
     case v1::JobSpec::kLyapunov:
       return Analysis{ResolveLyapunov, MakeLyapunovPlan};
+    case v1::JobSpec::kHyperbolicity:
+      return Analysis{ResolveHyperbolicity, MakeHyperbolicityPlan};
     case v1::JobSpec::kManifold:
       return Analysis{ResolveManifold, MakeManifoldPlan};
     case v1::JobSpec::kOrbit:

@@ -38,13 +38,6 @@ void FillErrors(const LyapunovReport& report, v1::LyapunovResult& result) {
   result.set_standard_error_sum_per_iterate(report.sum_per_iterate.standard_error);
 }
 
-void FillCondition(const LyapunovCondition& from, v1::Condition& to) {
-  to.set_name(from.name);
-  to.set_holds(from.holds);
-  to.set_slack(from.slack.value);
-  if (from.slack.standard_error > 0) to.set_margin(from.margin);
-}
-
 v1::Regime ToRegime(Regime regime) {
   switch (regime) {
     case Regime::kPeriodic:
@@ -62,6 +55,15 @@ v1::Regime ToRegime(Regime regime) {
 }
 
 }  // namespace
+
+v1::Condition ToCondition(const LyapunovCondition& condition) {
+  v1::Condition out;
+  out.set_name(condition.name);
+  out.set_holds(condition.holds);
+  out.set_slack(condition.slack.value);
+  if (condition.slack.standard_error > 0) out.set_margin(condition.margin);
+  return out;
+}
 
 v1::LyapunovRecord ToRecord(std::span<const LyapunovSums> batches) {
   const LyapunovReport report = Summarize(batches);
@@ -81,7 +83,7 @@ v1::LyapunovResult ToResult(std::span<const LyapunovSums> batches, int orbits) {
   FillValues(report, orbits, result);
   if (report.batches >= kFewestBatches) FillErrors(report, result);
   for (const LyapunovCondition& condition : report.conditions) {
-    FillCondition(condition, *result.add_conditions());
+    *result.add_conditions() = ToCondition(condition);
   }
   result.set_regime(ToRegime(RegimeOf(report)));
   return result;

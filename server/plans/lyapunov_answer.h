@@ -11,6 +11,8 @@
 
 namespace celt::plans {
 
+v1::Condition ToCondition(const LyapunovCondition& condition);
+
 /// A row of the convergence history: the estimate from the batches so far, none empty, at least
 /// one.
 v1::LyapunovRecord ToRecord(std::span<const LyapunovSums> batches);
