@@ -81,7 +81,7 @@ absl::Status StagesOfBirth(FigureData& data) {
   };
   for (const Stage& stage : {Stage{"birth_748_4", 748.4, 1}, Stage{"birth_748_4395", 748.4395, 1},
                              Stage{"birth_748_5", 748.5, 1}, Stage{"birth_750", 750, 3}}) {
-    const absl::Status status = UnstableManifold(data, stage.name, stage.energy, stage.length);
+    absl::Status status = UnstableManifold(data, stage.name, stage.energy, stage.length);
     if (!status.ok()) return status;
   }
   const auto last = Attractor(data, "attractor_750", 750, {}, kTransient, kPoints);
@@ -97,7 +97,7 @@ absl::Status StagesOfBirth(FigureData& data) {
 }
 
 absl::Status ManifoldAndAttractor(FigureData& data) {
-  const absl::Status status = UnstableManifold(data, "manifold_752", 752, 4);
+  absl::Status status = UnstableManifold(data, "manifold_752", 752, 4);
   if (!status.ok()) return status;
   return data.Plot("fig6", PanelsScript("fig6",
                                         {{"a) W^u(O*), E = 752", "", "manifold_752"},

@@ -113,14 +113,13 @@ absl::StatusOr<ReproduceRows> DestructionRows(const Reproduction& reproduction) 
   for (const double energy : {755.0, 765.0, 770.0, 775.0}) {
     CELT_ASSIGN_OR_RETURN(const v1::LyapunovResult result, SpectrumAt(reproduction, energy, {}));
     const bool chaos = energy == 765;
-    rows.push_back(MakeRow(
-        StatementRow{.section = "Fig. 7",
-                     .quantity = absl::StrFormat(chaos ? "E = %g: chaos, not of Lorenz type"
-                                                       : "E = %g: a resonant regular regime",
-                                                 energy),
-                     .paper = chaos ? "very probably" : "holds",
-                     .computed = RegimeText(result),
-                     .holds = chaos ? IsChaotic(result) : IsRegular(result)}));
+    rows.push_back(MakeRow(StatementRow{
+        .section = "Fig. 7",
+        .quantity = absl::StrCat("E = ", energy, ": ",
+                                 chaos ? "chaos, not of Lorenz type" : "a resonant regular regime"),
+        .paper = chaos ? "very probably" : "holds",
+        .computed = RegimeText(result),
+        .holds = chaos ? IsChaotic(result) : IsRegular(result)}));
   }
   return rows;
 }

@@ -74,7 +74,7 @@ absl::Status ResolvePoint(const System& system, const v1::JobSpec& spec, std::st
     CELT_ASSIGN_OR_RETURN(const std::unique_ptr<Map> map, MakeMap(spec));
     return map->CheckPoint(x);
   };
-  const absl::Status status = check();
+  absl::Status status = check();
   if (status.ok()) return status;
   return absl::Status(status.code(), absl::StrCat(std::string(field), ": ", status.message()));
 }
