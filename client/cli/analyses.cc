@@ -7,6 +7,7 @@
 #include "client/cli/orbit.h"
 #include "client/cli/reproduce.h"
 #include "client/cli/section.h"
+#include "client/cli/separatrix.h"
 #include "client/cli/sweep.h"
 
 namespace celt::cli {
@@ -22,6 +23,7 @@ Analyses MakeAnalyses() {
   analyses.push_back(MakeReproduce());
   analyses.push_back(MakeManifold());
   analyses.push_back(MakeHyperbolicity());
+  analyses.push_back(MakeSeparatrix());
   return analyses;
 }
 

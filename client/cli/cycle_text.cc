@@ -72,6 +72,16 @@ void AddCycle(const v1::Cycle& cycle, CsvRow& row) {
   row.emplace_back("residual", Shortest(cycle.residual()));
 }
 
+std::string SideText(int side) { return side > 0 ? "+" : "−"; }
+
+std::string FateText(const v1::SeparatrixFate& fate) {
+  std::string text = fate.end();
+  if (fate.end() == "tends to a cycle") absl::StrAppend(&text, " at ", PointText(fate.point()));
+  absl::StrAppend(&text, " after ", Grouped(fate.iterates()), " iterates, ");
+  if (fate.changes() == 0) return text + "always on its own side";
+  return absl::StrCat(text, "last on side ", SideText(fate.side()));
+}
+
 std::string AccuracyText(const v1::Accuracy& accuracy) {
   std::string text;
   if (accuracy.has_map_error()) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "celt/v1/cycle.pb.h"
+#include "celt/v1/manifold.pb.h"
 #include "celt/v1/system.pb.h"
 #include "client/cli/analysis.h"
 
@@ -27,6 +28,11 @@ std::string LorenzMark(const v1::Cycle& cycle);
 
 /// Cells of a cycle: its first point, its type, return time, multipliers and residual.
 void AddCycle(const v1::Cycle& cycle, CsvRow& row);
+
+/// A side of a manifold: "+" or "−".
+std::string SideText(int side);
+/// What became of a separatrix, in words.
+std::string FateText(const v1::SeparatrixFate& fate);
 
 /// A line with the errors of the map, when they were measured, and one for each warning.
 std::string AccuracyText(const v1::Accuracy& accuracy);

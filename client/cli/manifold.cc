@@ -18,17 +18,6 @@ namespace {
 constexpr char kGroup[] = "Manifold";
 constexpr int kDecimals = 10;
 
-std::string SideText(int side) { return side > 0 ? "+" : "−"; }
-
-/// The homoclinic test in words.
-std::string FateText(const v1::SeparatrixFate& fate) {
-  std::string text = fate.end();
-  if (fate.end() == "tends to a cycle") absl::StrAppend(&text, " at ", PointText(fate.point()));
-  absl::StrAppend(&text, " after ", Grouped(fate.iterates()), " iterates, ");
-  if (fate.changes() == 0) return text + "always on its own side";
-  return absl::StrCat(text, "last on side ", SideText(fate.side()));
-}
-
 std::string SaddleText(const v1::ManifoldResult& result, bool stable) {
   const v1::Cycle& saddle = result.saddle();
   TextTable table({});

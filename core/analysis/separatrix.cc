@@ -1,6 +1,7 @@
 #include "core/analysis/separatrix.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -70,14 +71,6 @@ class Watch {
   bool away_ = false;
 };
 
-/// A value of the parameter with what was found there.
-struct Probe {
-  double value = 0;
-  std::vector<Point> cycle;
-  SeparatrixFate fate;
-  bool answer = false;
-};
-
 bool Answer(SeparatrixQuestion question, const SeparatrixFate& fate) {
   return question == SeparatrixQuestion::kReturnsToItsSide
              ? fate.changes == 0
@@ -88,34 +81,53 @@ absl::StatusOr<std::vector<Point>> FindSaddleCycle(const Map& map, const Point& 
                                                    const SeparatrixSearch& search, double value) {
   const auto report = FindCycle(map, guess, search.period);
   if (!report.ok()) return report.status();
-  if (report->converged()) return report->points;
+  if (report->converged() && report->minimal_period == search.period) return report->points;
+  const std::string reason =
+      report->converged()
+          ? absl::StrCat("one of period ", report->minimal_period, " gone round several times")
+          : report->message;
   return absl::NotFoundError(absl::StrCat("no cycle of period ", search.period, " found at ", value,
-                                          ": ", report->message));
+                                          ": ", reason, "; residual ", report->residual, " after ",
+                                          report->iterations, " iterations"));
 }
 
-absl::StatusOr<Probe> ProbeAt(const MapFamily& family, const SeparatrixSearch& search,
-                              const Point& guess, double value, Tick tick) {
+absl::StatusOr<SeparatrixProbe> ProbeAt(const MapFamily& family, const SeparatrixSearch& search,
+                                        const Point& guess, double value, Tick tick) {
   const auto map = family(value);
   if (!map.ok()) return map.status();
-  auto cycle = FindSaddleCycle(**map, guess, search, value);
+  const auto cycle = FindSaddleCycle(**map, guess, search, value);
   if (!cycle.ok()) return cycle.status();
   const auto saddle = MakeSaddle(**map, *cycle, Direction::kForward);
   if (!saddle.ok()) return saddle.status();
   auto fate = FollowSeparatrix(**map, *saddle, search.options, tick);
   if (!fate.ok()) return fate.status();
   const bool answer = Answer(search.question, *fate);
-  return Probe{value, *std::move(cycle), *std::move(fate), answer};
+  return SeparatrixProbe{.value = value,
+                         .saddle = saddle->point,
+                         .iterates = saddle->iterates,
+                         .fate = *std::move(fate),
+                         .answer = answer};
 }
 
-absl::Status CheckEnds(const Probe& a, const Probe& b) {
+absl::Status CheckEnds(const SeparatrixProbe& a, const SeparatrixProbe& b) {
   if (a.answer != b.answer) return absl::OkStatus();
-  const auto tell = [](const Probe& probe) {
+  const auto tell = [](const SeparatrixProbe& probe) {
     return absl::StrCat(probe.value, " (", Name(probe.fate.end), ", ", probe.fate.changes,
                         " changes of side)");
   };
   return absl::InvalidArgumentError(
       absl::StrCat("from, to: the separatrix does the same at both ends, ", tell(a), " and ",
                    tell(b), "; they must differ"));
+}
+
+double Middle(const std::vector<SeparatrixProbe>& ends) {
+  return ends[0].value + (ends[1].value - ends[0].value) / 2;
+}
+
+bool IsNarrow(const std::vector<SeparatrixProbe>& ends, double width) {
+  if (std::abs(ends[1].value - ends[0].value) <= width) return true;
+  const double middle = Middle(ends);
+  return middle == ends[0].value || middle == ends[1].value;  // the doubles have run out
 }
 
 }  // namespace
@@ -143,31 +155,49 @@ absl::StatusOr<SeparatrixFate> FollowSeparatrix(const Map& map, const Saddle& sa
   return fate;
 }
 
-absl::StatusOr<SeparatrixBracket> BisectSeparatrix(const MapFamily& family,
-                                                   const SeparatrixSearch& search, Tick tick) {
+absl::Status StepBisection(const MapFamily& family, const SeparatrixSearch& search,
+                           SeparatrixBisection& bisection, Tick tick) {
   if (!(search.width > 0)) {
     return absl::InvalidArgumentError(
         absl::StrCat("width: ", search.width, " is not allowed; must be positive"));
   }
-  auto a = ProbeAt(family, search, search.guess, search.from, tick);
-  if (!a.ok()) return a.status();
-  auto b = ProbeAt(family, search, a->cycle.front(), search.to, tick);
-  if (!b.ok()) return b.status();
-  if (absl::Status status = CheckEnds(*a, *b); !status.ok()) return status;
-  while (std::abs(b->value - a->value) > search.width) {
-    const double middle = a->value + (b->value - a->value) / 2;
-    if (middle == a->value || middle == b->value) break;  // the doubles have run out
-    auto probe = ProbeAt(family, search, a->cycle.front(), middle, tick);
-    if (!probe.ok()) return probe.status();
-    (probe->answer == a->answer ? *a : *b) = *std::move(probe);
+  std::vector<SeparatrixProbe>& ends = bisection.ends;
+  const double value = ends.empty() ? search.from : ends.size() == 1 ? search.to : Middle(ends);
+  const Point& guess = ends.empty() ? search.guess : ends[0].saddle;
+  auto probe = ProbeAt(family, search, guess, value, tick);
+  if (!probe.ok()) return probe.status();
+  bisection.last = *std::move(probe);
+  if (ends.size() < 2) {
+    ends.push_back(bisection.last);
+    if (ends.size() < 2) return absl::OkStatus();
+    if (absl::Status status = CheckEnds(ends[0], ends[1]); !status.ok()) return status;
+  } else {
+    ends[bisection.last.answer == ends[0].answer ? 0 : 1] = bisection.last;
   }
-  const Probe& yes = a->answer ? *a : *b;
-  const Probe& no = a->answer ? *b : *a;
-  return SeparatrixBracket{.yes = yes.value,
-                           .no = no.value,
-                           .saddle = yes.cycle.front(),
-                           .yes_fate = yes.fate,
-                           .no_fate = no.fate};
+  bisection.done = IsNarrow(ends, search.width);
+  return absl::OkStatus();
+}
+
+SeparatrixBracket BracketOf(const SeparatrixBisection& bisection) {
+  assert(bisection.ends.size() == 2);
+  const bool first = bisection.ends[0].answer;
+  const SeparatrixProbe& yes = bisection.ends[first ? 0 : 1];
+  const SeparatrixProbe& no = bisection.ends[first ? 1 : 0];
+  return {.yes = yes.value,
+          .no = no.value,
+          .saddle = bisection.last.saddle,
+          .yes_fate = yes.fate,
+          .no_fate = no.fate};
+}
+
+absl::StatusOr<SeparatrixBracket> BisectSeparatrix(const MapFamily& family,
+                                                   const SeparatrixSearch& search, Tick tick) {
+  SeparatrixBisection bisection;
+  while (!bisection.done) {
+    absl::Status status = StepBisection(family, search, bisection, tick);
+    if (!status.ok()) return status;
+  }
+  return BracketOf(bisection);
 }
 
 const char* Name(SeparatrixEnd end) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "absl/functional/function_ref.h"
 #include "absl/status/statusor.h"
@@ -56,14 +57,6 @@ enum class SeparatrixQuestion {
   kTendsToCycle,      ///< it ends at a cycle: switches where it leaves that cycle's basin
 };
 
-struct SeparatrixBracket {
-  double yes = 0;  ///< the last value of the parameter at which the answer was yes
-  double no = 0;
-  Point saddle;  ///< at the last value looked at
-  SeparatrixFate yes_fate;
-  SeparatrixFate no_fate;
-};
-
 struct SeparatrixSearch {
   double from = 0;  ///< ends of the interval; the answers there must differ
   double to = 0;
@@ -74,14 +67,49 @@ struct SeparatrixSearch {
   SeparatrixOptions options;
 };
 
-/// Halves an interval of the parameter until it is narrow; the saddle is carried along by Newton's
-/// method.
+/// A value of the parameter that was looked at.
+struct SeparatrixProbe {
+  double value = 0;
+  Point saddle;      ///< there
+  int iterates = 1;  ///< of the map in one of G
+  SeparatrixFate fate;
+  bool answer = false;  ///< to the question
+};
+
+/// Where a bisection stands: plain data, from which it can be resumed.
+struct SeparatrixBisection {
+  /// What was found at the ends of the bracket: none, then that at `from`, then both, which differ
+  /// in their answers.
+  std::vector<SeparatrixProbe> ends;
+  SeparatrixProbe last;  ///< the last value looked at
+  bool done = false;     ///< the bracket is as narrow as was asked for, or as doubles allow
+};
+
+/// Looks at one more value: the ends first, then the middle of the bracket. The saddle is carried
+/// along by Newton's method.
 ///
 /// Where the answer is kTendsToCycle, an undecided fate counts as no: near the switch orbits take
 /// ever longer to decide, and the bracket's reliable width is told by which fates are undecided.
 ///
-/// INVALID_ARGUMENT: an option out of range; answers at the ends that do not differ (the message
-/// has both fates). NOT_FOUND: no saddle at some value. CANCELLED as above.
+/// INVALID_ARGUMENT: an option out of range; no saddle with a one-dimensional unstable manifold;
+/// answers at the ends that do not differ (`last` is set, the message has both fates). NOT_FOUND:
+/// no cycle at that value. CANCELLED: `tick` said so. Precondition: not done.
+absl::Status StepBisection(const MapFamily& family, const SeparatrixSearch& search,
+                           SeparatrixBisection& bisection,
+                           absl::FunctionRef<bool(std::int64_t iterates)> tick);
+
+struct SeparatrixBracket {
+  double yes = 0;  ///< the last value of the parameter at which the answer was yes
+  double no = 0;
+  Point saddle;  ///< at the last value looked at
+  SeparatrixFate yes_fate;
+  SeparatrixFate no_fate;
+};
+
+/// Precondition: the bisection has both ends.
+SeparatrixBracket BracketOf(const SeparatrixBisection& bisection);
+
+/// Halves an interval of the parameter until it is narrow: StepBisection until it is done.
 absl::StatusOr<SeparatrixBracket> BisectSeparatrix(
     const MapFamily& family, const SeparatrixSearch& search,
     absl::FunctionRef<bool(std::int64_t iterates)> tick);

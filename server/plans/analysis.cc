@@ -14,6 +14,8 @@
 #include "server/plans/orbit_spec.h"
 #include "server/plans/reproduce_plan.h"
 #include "server/plans/section_plan.h"
+#include "server/plans/separatrix_plan.h"
+#include "server/plans/separatrix_spec.h"
 #include "server/plans/sweep_grid.h"
 #include "server/plans/sweep_plan.h"
 
@@ -52,6 +54,8 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
       return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance};
     case v1::JobSpec::kContinuation:
       return Analysis{ResolveContinuation, MakeContinuationPlan, kFineTolerance};
+    case v1::JobSpec::kSeparatrix:
+      return Analysis{ResolveSeparatrix, MakeSeparatrixPlan, kFineTolerance};
     default:
       return absl::InvalidArgumentError("analysis: missing, or not known here");
   }

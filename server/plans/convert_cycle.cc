@@ -63,6 +63,17 @@ absl::Status CheckFound(const CycleReport& cycle, int period) {
                       absl::StrCat(wanted, named ? "" : name + ": ", cycle.message, Effort(cycle)));
 }
 
+v1::SeparatrixFate FromFate(const SeparatrixFate& fate, int iterates, const PointFrame& frame) {
+  v1::SeparatrixFate out;
+  out.set_end(Name(fate.end));
+  out.set_side(fate.side);
+  out.set_changes(fate.changes);
+  out.set_iterates(fate.iterates * iterates);
+  *out.mutable_point() = frame.FromPoint(fate.point);
+  if (!fate.message.empty()) out.set_message(fate.message);
+  return out;
+}
+
 std::vector<Point> SampleOf(std::span<const CycleReport> cycles) {
   constexpr std::size_t kEnough = 24;
   std::vector<Point> sample;

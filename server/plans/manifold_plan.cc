@@ -126,13 +126,7 @@ absl::Status ManifoldPlan::FollowFate(const Saddle& saddle, v1::ManifoldSide& ou
   CELT_ASSIGN_OR_RETURN(
       const SeparatrixFate fate,
       FollowSeparatrix(*map_, saddle, options, [&unit](std::int64_t) { return !unit.stop(); }));
-  v1::SeparatrixFate& into = *out.mutable_fate();
-  into.set_end(Name(fate.end));
-  into.set_side(fate.side);
-  into.set_changes(fate.changes);
-  into.set_iterates(fate.iterates * saddle.iterates);
-  *into.mutable_point() = frame_.FromPoint(fate.point);
-  if (!fate.message.empty()) into.set_message(fate.message);
+  *out.mutable_fate() = FromFate(fate, saddle.iterates, frame_);
   return absl::OkStatus();
 }
 

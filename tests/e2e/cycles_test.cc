@@ -70,5 +70,28 @@ TEST(Continue, GuessThatDoesNotConvergeExitsOneAndABadIntervalTwo) {
   EXPECT_THAT(bad.err, StartsWith("celt: to: 752 is not allowed"));
 }
 
+TEST(Separatrix, BracketIsTheSameEmbeddedAndRemote) {
+  const TemporaryDirectory data;
+  const Daemon daemon(data.path());
+  const Celt celt;
+  const Arguments question =
+      With({"separatrix", "--from", "748.4", "--to", "748.5", "--width", "1e-2"}, kFast);
+  const Ended embedded = celt.Run(question);
+  EXPECT_EQ(embedded.code, 0) << embedded.err;
+  EXPECT_EQ(embedded.out, celt.Run(With(question, {"--server", daemon.address()})).out);
+  EXPECT_THAT(embedded.out, HasSubstr("{\"result\":{\"value\":748.44"));
+}
+
+TEST(Separatrix, EndsThatAgreeExitOneAndMissingOnesTwo) {
+  const Celt celt;
+  const Ended same = celt.Run(With({"separatrix", "--from", "748.4", "--to", "748.41"}, kFast));
+  EXPECT_EQ(same.code, 1);
+  EXPECT_THAT(same.err, HasSubstr("the separatrix does the same at both ends"));
+  EXPECT_THAT(same.out, HasSubstr("\"value\":748.41"));
+  const Ended bad = celt.Run({"separatrix", "--from", "748.4"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_EQ(bad.err, "celt: to: missing\n");
+}
+
 }  // namespace
 }  // namespace celt

@@ -153,6 +153,7 @@ TEST(Options, HelpOfEveryCommandFitsTheTerminalAndHasAnExample) {
                                            {"lyapunov"},
                                            {"fixed-point"},
                                            {"continue"},
+                                           {"separatrix"},
                                            {"jobs"},
                                            {"jobs", "list"},
                                            {"jobs", "get"},

@@ -1,6 +1,7 @@
 #include "core/analysis/separatrix.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/map/celtic_stone_system.h"
 #include "gtest/gtest.h"
@@ -106,6 +107,36 @@ TEST(Separatrix, SameFateAtBothEndsIsRefusedWithBoth) {
   EXPECT_EQ(bracket.status().code(), absl::StatusCode::kInvalidArgument);
   EXPECT_NE(bracket.status().message().find("1.3 (tends to a cycle"), std::string::npos)
       << bracket.status();
+}
+
+TEST(Separatrix, BisectionLooksAtOneValueAtATime) {
+  const SeparatrixSearch search =
+      CubicSearch(2.5, 2.7, 1e-2, SeparatrixQuestion::kReturnsToItsSide);
+  SeparatrixBisection bisection;
+  std::vector<double> values;
+  while (!bisection.done) {
+    // As if it had been stored in between.
+    SeparatrixBisection copy = bisection;
+    ASSERT_TRUE(StepBisection(MakeCubic, search, copy, GoOn).ok());
+    bisection = copy;
+    values.push_back(bisection.last.value);
+  }
+  const std::vector<double> beginning = {2.5, 2.7, 2.6};
+  ASSERT_GE(values.size(), 4);
+  for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(values[i], beginning[i]);
+  const auto whole = BisectSeparatrix(MakeCubic, search, GoOn);
+  const SeparatrixBracket bracket = BracketOf(bisection);
+  EXPECT_EQ(bracket.yes, whole->yes);
+  EXPECT_EQ(bracket.no, whole->no);
+  EXPECT_EQ(bracket.yes_fate.iterates, whole->yes_fate.iterates);
+}
+
+TEST(Separatrix, EndsThatAgreeAreBothLookedAt) {
+  const SeparatrixSearch search = CubicSearch(1.3, 1.6, 1e-3, SeparatrixQuestion::kTendsToCycle);
+  SeparatrixBisection bisection;
+  ASSERT_TRUE(StepBisection(MakeCubic, search, bisection, GoOn).ok());
+  EXPECT_FALSE(StepBisection(MakeCubic, search, bisection, GoOn).ok());
+  EXPECT_EQ(bisection.last.value, 1.6);
 }
 
 TEST(Separatrix, TickStopsTheSearch) {
