@@ -144,6 +144,7 @@ void Refine(const Map& map, const Saddle& saddle, const ManifoldOptions& options
   }
   if (!s.empty()) {
     std::vector<Point> starts;
+    starts.reserve(s.size());
     for (const double at : s) starts.push_back(StartAt(saddle, side, at));
     Insert(s, ApplyMany(map, starts, iterates, saddle.direction), side);
     if (std::ssize(side.points) + side.written > options.most_points) {

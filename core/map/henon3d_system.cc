@@ -13,9 +13,14 @@ namespace {
 
 constexpr double kEscape = 1e6;
 
+struct Coefficients {
+  double m1, m2, a, b;
+  double yy, yz, zz;
+};
+
 class Henon3dMap final : public Map {
  public:
-  Henon3dMap(double m1, double m2, double a, double b) : m1_(m1), m2_(m2), a_(a), b_(b) {}
+  explicit Henon3dMap(const Coefficients& coefficients) : c_(coefficients) {}
 
   int dimension() const override { return 3; }
 
@@ -23,7 +28,7 @@ class Henon3dMap final : public Map {
                               Derivative derivative) const override {
     if (absl::Status status = CheckPoint(x); !status.ok()) return status;
     const bool forward = direction == Direction::kForward;
-    if (!forward && b_ == 0) return absl::UnimplementedError("the map has no inverse for b = 0");
+    if (!forward && c_.b == 0) return absl::UnimplementedError("the map has no inverse for b = 0");
     Image image;
     image.point = forward ? Forward(x) : Backward(x);
     if (!(image.point.cwiseAbs().maxCoeff() <= kEscape)) return Escaped(x);
@@ -37,16 +42,29 @@ class Henon3dMap final : public Map {
   }
 
  private:
+  /// Terms that are left out by their coefficients do not show, not even in the sign of a zero.
+  double Quadratic(double y, double z) const {
+    double sum = c_.zz * z * z;
+    if (c_.yz != 0) sum += c_.yz * y * z;
+    if (c_.yy != 0) sum += c_.yy * y * y;
+    return sum;
+  }
+
   Point Forward(const Point& x) const {
-    return Eigen::Vector3d(x[1], x[2], m1_ + b_ * x[0] + m2_ * x[1] + a_ * x[2] - x[2] * x[2]);
+    return Eigen::Vector3d(
+        x[1], x[2], c_.m1 + c_.b * x[0] + c_.m2 * x[1] + c_.a * x[2] + Quadratic(x[1], x[2]));
   }
 
   Point Backward(const Point& x) const {
-    return Eigen::Vector3d((x[2] - m1_ - m2_ * x[0] - a_ * x[1] + x[1] * x[1]) / b_, x[0], x[1]);
+    return Eigen::Vector3d(
+        (x[2] - c_.m1 - c_.m2 * x[0] - c_.a * x[1] - Quadratic(x[0], x[1])) / c_.b, x[0], x[1]);
   }
 
   Eigen::Matrix3d JacobianAt(const Point& x) const {
-    return Eigen::Matrix3d{{0, 1, 0}, {0, 0, 1}, {b_, m2_, a_ - 2 * x[2]}};
+    return Eigen::Matrix3d{
+        {0, 1, 0},
+        {0, 0, 1},
+        {c_.b, c_.m2 + 2 * c_.yy * x[1] + c_.yz * x[2], c_.a + c_.yz * x[1] + 2 * c_.zz * x[2]}};
   }
 
   static absl::Status Escaped(const Point& x) {
@@ -54,17 +72,18 @@ class Henon3dMap final : public Map {
         absl::StrCat("the orbit escapes to infinity from (", x[0], ", ", x[1], ", ", x[2], ")"));
   }
 
-  double m1_, m2_, a_, b_;
+  Coefficients c_;
 };
 
 class Henon3d final : public System {
  public:
   std::string_view name() const override { return "henon3d"; }
   std::string_view description() const override {
-    return "Three-dimensional Henon map: x' = y, y' = z, z' = m1 + b x + m2 y + a z - z^2";
+    return "Three-dimensional Henon map: x' = y, y' = z, z' = m1 + b x + m2 y + a z + yy y^2 + "
+           "yz y z + zz z^2";
   }
   std::span<const ParameterInfo> parameters() const override {
-    static constexpr std::array<ParameterInfo, 4> kParameters = {{
+    static constexpr std::array<ParameterInfo, 7> kParameters = {{
         {.name = "m1", .default_value = 0, .unit = "", .description = "constant term"},
         {.name = "m2", .default_value = 0.85, .unit = "", .description = "coefficient of y"},
         {.name = "a", .default_value = 0, .unit = "", .description = "coefficient of z"},
@@ -72,6 +91,9 @@ class Henon3d final : public System {
          .default_value = 0.7,
          .unit = "",
          .description = "coefficient of x, the Jacobian determinant"},
+        {.name = "yy", .default_value = 0, .unit = "", .description = "coefficient of y^2"},
+        {.name = "yz", .default_value = 0, .unit = "", .description = "coefficient of y z"},
+        {.name = "zz", .default_value = -1, .unit = "", .description = "coefficient of z^2"},
     }};
     return kParameters;
   }
@@ -84,7 +106,13 @@ class Henon3d final : public System {
 
  private:
   absl::StatusOr<std::unique_ptr<Map>> Make(const Parameters& p, const Numerics&) const override {
-    return std::make_unique<Henon3dMap>(p.at("m1"), p.at("m2"), p.at("a"), p.at("b"));
+    return std::make_unique<Henon3dMap>(Coefficients{.m1 = p.at("m1"),
+                                                     .m2 = p.at("m2"),
+                                                     .a = p.at("a"),
+                                                     .b = p.at("b"),
+                                                     .yy = p.at("yy"),
+                                                     .yz = p.at("yz"),
+                                                     .zz = p.at("zz")});
   }
 };
 

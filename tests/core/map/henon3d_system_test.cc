@@ -7,6 +7,8 @@ namespace celt {
 namespace {
 
 const Parameters kGeneral = {{"m1", 0.1}, {"m2", 0.8}, {"a", -0.2}, {"b", 0.6}};
+const Parameters kQuadratic = {{"m1", 0.1}, {"m2", 0.8},  {"a", -0.2}, {"b", 0.6},
+                               {"yy", 0.3}, {"yz", -0.7}, {"zz", 0.9}};
 const Point kX = Eigen::Vector3d(0.3, -0.2, 0.5);
 
 TEST(Henon3d, FollowsItsFormula) {
@@ -20,8 +22,25 @@ TEST(Henon3d, FollowsItsFormula) {
   EXPECT_EQ(image->jacobian.size(), 0);
 }
 
+TEST(Henon3d, TakesEveryQuadraticTermOfYAndZ) {
+  const auto map = Henon3dSystem().MakeMap(kQuadratic, {});
+  const auto image = (*map)->Apply(kX, Direction::kForward, Derivative::kNone);
+  EXPECT_DOUBLE_EQ(image->point[2], 0.1 + 0.6 * 0.3 + 0.8 * -0.2 - 0.2 * 0.5 + 0.3 * 0.2 * 0.2 -
+                                        0.7 * -0.2 * 0.5 + 0.9 * 0.5 * 0.5);
+}
+
+TEST(Henon3d, DefaultIsTheClassicalMapToTheLastBit) {
+  const auto map = Henon3dSystem().MakeMap({}, {});
+  Point x = Eigen::Vector3d(0.1, 0.1, 0.1);
+  for (int i = 0; i < 1000; ++i) {
+    const auto image = (*map)->Apply(x, Direction::kForward, Derivative::kNone);
+    ASSERT_EQ(image->point[2], 0 + 0.7 * x[0] + 0.85 * x[1] + 0 * x[2] - x[2] * x[2]);
+    x = image->point;
+  }
+}
+
 TEST(Henon3d, InverseUndoesTheMapAndItsJacobian) {
-  const auto map = Henon3dSystem().MakeMap(kGeneral, {});
+  const auto map = Henon3dSystem().MakeMap(kQuadratic, {});
   ASSERT_TRUE(map.ok());
   const auto there = (*map)->Apply(kX, Direction::kForward, Derivative::kJacobian);
   ASSERT_TRUE(there.ok());
@@ -33,7 +52,7 @@ TEST(Henon3d, InverseUndoesTheMapAndItsJacobian) {
 }
 
 TEST(Henon3d, JacobianIsTheDerivative) {
-  const auto map = Henon3dSystem().MakeMap(kGeneral, {});
+  const auto map = Henon3dSystem().MakeMap(kQuadratic, {});
   ASSERT_TRUE(map.ok());
   const auto image = (*map)->Apply(kX, Direction::kForward, Derivative::kJacobian);
   ASSERT_TRUE(image.ok());
