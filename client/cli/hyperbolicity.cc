@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "absl/strings/str_cat.h"
+#include "absl/strings/str_format.h"
 #include "client/cli/format.h"
 #include "client/cli/hyperbolicity_table.h"
 #include "client/cli/option.h"
@@ -66,6 +67,20 @@ class Hyperbolicity : public Analysis {
     return Cells(record.hyperbolicity().iterates(), record.hyperbolicity());
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    const v1::HyperbolicityResult& tested = result.hyperbolicity();
+    const auto cell = [](bool there, double number) { return there ? Shortest(number) : ""; };
+    const bool failed = tested.verdict() == v1::HYPERBOLICITY_VERDICT_UNSPECIFIED;
+    return {{"verdict", failed ? "" : v1::HyperbolicityVerdict_Name(tested.verdict())},
+            {"minimum_angle", cell(tested.has_minimum_angle(), tested.minimum_angle())},
+            {"promised_minimum", cell(tested.has_promised_minimum(), tested.promised_minimum())},
+            {"tail_index", cell(tested.has_tail_index(), tested.tail_index())}};
+  }
+  std::string Brief(const v1::Result& result) const override {
+    const v1::HyperbolicityResult& tested = result.hyperbolicity();
+    return absl::StrFormat("%-18s least angle %.5f",
+                           v1::HyperbolicityVerdict_Name(tested.verdict()), tested.minimum_angle());
+  }
   std::string Table(const v1::Job& job, const v1::Result& result) const override {
     return HyperbolicityTable(job.spec(), result.hyperbolicity());
   }

@@ -10,6 +10,7 @@
 #include "absl/strings/str_split.h"
 #include "client/cli/fixed_point.h"
 #include "client/cli/format.h"
+#include "client/cli/hyperbolicity.h"
 #include "client/cli/lyapunov.h"
 #include "client/cli/option.h"
 #include "client/cli/parse.h"
@@ -71,6 +72,7 @@ class Sweep : public Analysis {
     inner_.push_back(MakeLyapunov());
     inner_.push_back(MakeSection());
     inner_.push_back(MakeFixedPoint());
+    inner_.push_back(MakeHyperbolicity());
   }
 
   std::string command() const override { return "sweep"; }

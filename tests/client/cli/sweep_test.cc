@@ -101,6 +101,37 @@ TEST(SweepCsv, ColumnsAreThoseOfTheAnalysisAskedForWhenTheFirstNodeFails) {
       << outcome.out;
 }
 
+v1::SweepRecord Sample(const std::string& analysis) {
+  v1::SweepRecord sweep;
+  if (analysis == "section") sweep.mutable_section()->add_lowest(1);
+  if (analysis == "fixed_point") {
+    v1::Cycle& cycle = *sweep.mutable_fixed_point()->add_cycles();
+    cycle.add_points()->add_x(0.25);
+    cycle.add_multipliers()->set_re(2);
+    cycle.set_type("saddle 2-1");
+  }
+  if (analysis == "hyperbolicity") {
+    sweep.mutable_hyperbolicity()->set_verdict(v1::TANGENCIES);
+    sweep.mutable_hyperbolicity()->set_minimum_angle(0.125);
+  }
+  return sweep;
+}
+
+TEST(SweepCsv, EveryAnalysisHasTheSameColumnsAtANodeThatFailed) {
+  for (const std::string analysis : {"section", "fixed_point", "hyperbolicity"}) {
+    const auto sweep = MakeSweep();
+    v1::Record good;
+    *good.mutable_sweep() = Sample(analysis);
+    v1::Record bad;
+    bad.mutable_sweep()->mutable_error()->set_message("lost");
+    const CsvRow filled = sweep->Csv(good);
+    const CsvRow empty = sweep->Csv(bad);
+    ASSERT_EQ(filled.size(), empty.size()) << analysis;
+    EXPECT_GT(filled.size(), 4U) << analysis;
+    for (std::size_t i = 0; i < filled.size(); ++i) EXPECT_EQ(filled[i].first, empty[i].first);
+  }
+}
+
 TEST(SweepTable, HasALineForEachNode) {
   const auto sweep = MakeSweep();
   EXPECT_EQ(sweep->Line(RecordOf(0, false)), "  0.5  Λ   0.25000   0.00000  -0.50000  not told\n");
