@@ -13,6 +13,7 @@ std::string Preamble(const std::string& name, int width, int height) {
       "set datafile separator ','\n"
       "set datafile columnheaders\n"
       "set grid lc rgb '#e8e8e8'\n"
+      "set xtics font ',8'\n"
       "unset key\n",
       width, height, name);
 }
@@ -56,7 +57,7 @@ std::string PanelText(const Panel& panel) {
 
 std::string PanelsScript(const std::string& name, const std::vector<Panel>& panels, int columns) {
   const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-  std::string text = Preamble(name, 420 * columns, 380 * rows);
+  std::string text = Preamble(name, 480 * columns, 400 * rows);
   absl::StrAppend(&text, "set xlabel 'l'\nset ylabel 'L/G less its regression on l'\n",
                   "set multiplot layout ", rows, ",", columns, "\n");
   for (const Panel& panel : panels) absl::StrAppend(&text, PanelText(panel));
@@ -89,10 +90,13 @@ std::string LmpScript(const std::string& name, const std::vector<Panel>& panels)
   std::string text = Preamble(name, 480 * static_cast<int>(panels.size()), 420);
   absl::StrAppend(&text, "set logscale x\nset format x '10^{%L}'\nset yrange [0:pi/2]\n",
                   "set xlabel 'distance [standard deviations]'\nset ylabel 'angle [rad]'\n",
-                  "set multiplot layout 1,", panels.size(), "\n");
+                  "set key top left\n", "set multiplot layout 1,", panels.size(), "\n");
   for (const Panel& panel : panels) {
     absl::StrAppend(&text, "set title '", panel.title, "'\nplot '", panel.points,
-                    ".csv' using (column('distance')):(column('angle')) ", kPoints, "\n");
+                    "_largest.csv' using (column('distance')):(column('angle')) with linespoints "
+                    "pt 7 ps 0.4 lc rgb '#c0392b' title 'largest', \\\n     '",
+                    panel.points, ".csv' using (column('distance')):(column('angle')) ", kPoints,
+                    " title 'a sample'\n");
   }
   return text + "unset multiplot\n";
 }

@@ -128,13 +128,17 @@ absl::Status LmpPairs(FigureData& data, const std::string& name, v1::JobSpec spe
   spec.mutable_hyperbolicity()->set_iterates(40'000);
   const auto result = data.Records("angles_" + name, spec);
   if (!result.ok()) return result.status();
-  std::string text = CsvLine({"distance", "angle"});
+  std::string sample = CsvLine({"distance", "angle"});
+  std::string largest = sample;
   for (const v1::LmpBin& bin : result->hyperbolicity().lmp_graph()) {
     for (const v1::LmpPair& pair : bin.sample()) {
-      absl::StrAppend(&text, CsvLine({Shortest(pair.distance()), Shortest(pair.angle())}));
+      absl::StrAppend(&sample, CsvLine({Shortest(pair.distance()), Shortest(pair.angle())}));
     }
+    if (!bin.has_largest_angle()) continue;
+    absl::StrAppend(&largest, CsvLine({Shortest(bin.to()), Shortest(bin.largest_angle())}));
   }
-  return data.Write("lmp_" + name + ".csv", text);
+  absl::Status written = data.Write("lmp_" + name + ".csv", sample);
+  return written.ok() ? data.Write("lmp_" + name + "_largest.csv", largest) : written;
 }
 
 absl::Status LmpGraphs(FigureData& data) {
@@ -152,15 +156,15 @@ absl::Status LmpGraphs(FigureData& data) {
 absl::Status BifurcationDiagram(FigureData& data) {
   constexpr double kFrom = 747;
   constexpr double kTo = 790;
-  constexpr int kNodes = 173;  // a quarter apart
+  constexpr int kNodes = 345;  // an eighth apart
   v1::Point at;
   std::string text = CsvLine({"energy", "l"});
   for (int i = 0; i < kNodes; ++i) {
     const double energy = kFrom + (kTo - kFrom) * i / (kNodes - 1);
     v1::JobSpec spec = At(energy);
     if (at.has_l()) *spec.mutable_section()->mutable_start() = at;
-    spec.mutable_section()->set_transient(1000);
-    spec.mutable_section()->set_iterates(200);
+    spec.mutable_section()->set_transient(500);
+    spec.mutable_section()->set_iterates(400);
     const auto add = [&](const v1::Record& record) {
       absl::StrAppend(&text, CsvLine({Shortest(energy), Shortest(record.section().point().l())}));
     };
