@@ -69,19 +69,19 @@ struct Row {
 /// Row of stage i; then the solution's and the error's.
 HWY_INLINE Row RowAt(int i) { return {kCoefficients + kRow[i], kCoefficients + kRow[i + 1]}; }
 
-/// The components from `base` on: sum[i] = base + Σ coefficient · stage.
-template <class Layout, class V>
+/// `kCount` vectors of components from `base` on: sum[i] = base + Σ coefficient · stage. The more
+/// at once, the less a sum waits for itself, as far as registers go.
+template <class Layout, int kCount, class V>
 HWY_INLINE void Combine(Row row, const double* HWY_RESTRICT base, const double* HWY_RESTRICT stages,
                         V* HWY_RESTRICT sum) {
   constexpr int kStride = static_cast<int>(sizeof(States<Layout>) / sizeof(double));
-#pragma GCC unroll 5
-  for (int i = 0; i < kComponents; ++i) sum[i] = Load<V>(base + i * kLanes<V>);
+#pragma GCC unroll 15
+  for (int i = 0; i < kCount; ++i) sum[i] = Load<V>(base + i * kLanes<V>);
   for (const Coefficient* c = row.first; c != row.last; ++c) {
     const V factor = Set<V>(c->value);
     const double* HWY_RESTRICT stage = stages + c->stage * kStride;
-#pragma GCC unroll 5
-    for (int i = 0; i < kComponents; ++i)
-      sum[i] = Fma(factor, Load<V>(stage + i * kLanes<V>), sum[i]);
+#pragma GCC unroll 15
+    for (int i = 0; i < kCount; ++i) sum[i] = Fma(factor, Load<V>(stage + i * kLanes<V>), sum[i]);
   }
 }
 
@@ -91,10 +91,10 @@ HWY_INLINE void LoadAll(const double* HWY_RESTRICT from, V* HWY_RESTRICT v) {
   for (int i = 0; i < kComponents; ++i) v[i] = Load<V>(from + i * kLanes<V>);
 }
 
-template <class V>
+template <int kCount = kComponents, class V>
 HWY_INLINE void StoreAll(const V* HWY_RESTRICT v, double* HWY_RESTRICT to) {
-#pragma GCC unroll 5
-  for (int i = 0; i < kComponents; ++i) Store(v[i], to + i * kLanes<V>);
+#pragma GCC unroll 15
+  for (int i = 0; i < kCount; ++i) Store(v[i], to + i * kLanes<V>);
 }
 
 /// The sums of a row for all of a group.
@@ -102,14 +102,14 @@ template <class Layout>
 HWY_INLINE void CombineAll(Row row, const States<Layout>& base, const States<Layout>* stages,
                            double* HWY_RESTRICT out) {
   typename Layout::Orbit x[kComponents];
-  Combine<Layout>(row, base.values, stages->values, x);
+  Combine<Layout, kComponents>(row, base.values, stages->values, x);
   StoreAll(x, out);
-#pragma GCC unroll 3
-  for (int j = 0; j < Layout::kTangents; ++j) {
-    const int at = Layout::kTangentStart + j * kComponents * Layout::kTangentLanes;
-    typename Layout::Tangent v[kComponents];
-    Combine<Layout>(row, base.values + at, stages->values + at, v);
-    StoreAll(v, out + at);
+  if constexpr (Layout::kTangents > 0) {
+    constexpr int kCount = Layout::kTangents * kComponents;
+    typename Layout::Tangent v[kCount];
+    Combine<Layout, kCount>(row, base.values + Layout::kTangentStart,
+                            stages->values + Layout::kTangentStart, v);
+    StoreAll<kCount>(v, out + Layout::kTangentStart);
   }
 }
 
@@ -123,7 +123,7 @@ HWY_INLINE void EvaluateStage(const StoneConstants& constants,
   using V = typename Layout::Orbit;
   using T = typename Layout::Tangent;
   double* HWY_RESTRICT const out = stages[stage].values;
-  Combine<Layout>(RowAt(stage), start.values, stages->values, x);
+  Combine<Layout, kComponents>(RowAt(stage), start.values, stages->values, x);
   V rate[kComponents], time;
   constexpr bool kWithTangents = Layout::kTangents > 0;
   Linearization<V> linear;
@@ -131,14 +131,14 @@ HWY_INLINE void EvaluateStage(const StoneConstants& constants,
   StoreAll(rate, out);
   Store(time, stages[stage].time);
   if constexpr (kWithTangents) {
+    constexpr int kCount = Layout::kTangents * kComponents;
+    T v[kCount], v_rates[kCount];
+    Combine<Layout, kCount>(RowAt(stage), start.values + Layout::kTangentStart,
+                            stages->values + Layout::kTangentStart, v);
 #pragma GCC unroll 3
-    for (int j = 0; j < Layout::kTangents; ++j) {
-      const int at = Layout::kTangentStart + j * kComponents * Layout::kTangentLanes;
-      T v[kComponents], v_rate[kComponents];
-      Combine<Layout>(RowAt(stage), start.values + at, stages->values + at, v);
-      TangentRate(linear, v, v_rate);
-      StoreAll(v_rate, out + at);
-    }
+    for (int j = 0; j < Layout::kTangents; ++j)
+      TangentRate(linear, v + j * kComponents, v_rates + j * kComponents);
+    StoreAll<kCount>(v_rates, out + Layout::kTangentStart);
   }
 }
 
@@ -160,7 +160,7 @@ HWY_NOINLINE void Step(const StoneConstants& constants,
     time = Fma(Set<V>(c.value), Load<V>(stages[c.stage].time), time);
   Store(time, result.end.time);
   HWY_ALIGN static constexpr double kZero[Layout::kOrbitSize] = {};
-  Combine<Layout>(RowAt(kStages + 1), kZero, stages->values, x);
+  Combine<Layout, kComponents>(RowAt(kStages + 1), kZero, stages->values, x);
   StoreAll(x, result.error);
 }
 
