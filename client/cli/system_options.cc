@@ -23,13 +23,14 @@ struct StoneNumber {
   const char* help;
 };
 
-constexpr std::array<StoneNumber, 6> kStoneNumbers = {{
+constexpr std::array<StoneNumber, 7> kStoneNumbers = {{
     {"--energy", "energy", "E", "energy H of the level (default 752)"},
     {"--delta", "delta", "RAD", "angle from the geometric to the inertial axes (default 0.485)"},
     {"--mass", "mass", "M", "mass (default 1)"},
     {"--gravity", "gravity", "G", "acceleration of gravity (default 100)"},
     {"--height", "height", "H", "of the centre of mass above the vertex (default 1)"},
     {"--section-angle", "section_angle", "RAD", "the section is g = this angle (default pi)"},
+    {"--crossing", "crossing", "SIGN", "1: crossed with g increasing (default), -1: decreasing"},
 }};
 
 absl::Status NotOfSystem(const std::string& option, const std::string& system) {

@@ -7,11 +7,10 @@
 namespace celt {
 
 absl::StatusOr<std::unique_ptr<SectionEngine>> MakeSectionEngine(const CelticStone& stone,
-                                                                 double section_angle,
+                                                                 const SectionEvent& section,
                                                                  const Numerics& numerics) {
   const auto make = [&](SteppingMethod method) {
-    return std::make_unique<SundialsSectionEngine>(stone, section_angle, method,
-                                                   numerics.tolerance);
+    return std::make_unique<SundialsSectionEngine>(stone, section, method, numerics.tolerance);
   };
   switch (numerics.engine) {
     case Engine::kArkode:
@@ -20,7 +19,7 @@ absl::StatusOr<std::unique_ptr<SectionEngine>> MakeSectionEngine(const CelticSto
       return make(SteppingMethod::kAdams);
     case Engine::kDefault:
     case Engine::kFast:
-      return std::make_unique<FastSectionEngine>(stone, section_angle, numerics.tolerance);
+      return std::make_unique<FastSectionEngine>(stone, section, numerics.tolerance);
   }
   return absl::InternalError("engine: unknown");
 }

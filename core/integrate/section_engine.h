@@ -4,6 +4,7 @@
 
 #include "absl/status/statusor.h"
 #include "core/integrate/crossing.h"
+#include "core/integrate/section_event.h"
 #include "core/map/system.h"
 #include "core/model/celtic_stone.h"
 
@@ -27,10 +28,10 @@ namespace celt {
 /// Runge–Kutta stays at a few.
 inline constexpr Engine kDefaultSectionEngine = Engine::kFast;
 
-/// The engine that `numerics` asks for, on the section g = `section_angle` [rad, body frame].
+/// The engine that `numerics` asks for, on a section.
 /// INVALID_ARGUMENT when there is no such engine.
 absl::StatusOr<std::unique_ptr<SectionEngine>> MakeSectionEngine(const CelticStone& stone,
-                                                                 double section_angle,
+                                                                 const SectionEvent& section,
                                                                  const Numerics& numerics);
 
 }  // namespace celt

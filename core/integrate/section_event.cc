@@ -38,10 +38,13 @@ StoneState CosineGradient(const StoneState& y) {
 
 }  // namespace
 
-SectionEvent::SectionEvent(double angle) : cos_(std::cos(angle)), sin_(std::sin(angle)) {}
+SectionEvent::SectionEvent(double angle, Crossings crossings)
+    : cos_(std::cos(angle)),
+      sin_(std::sin(angle)),
+      sense_(crossings == Crossings::kIncreasing ? 1 : -1) {}
 
 double SectionEvent::Value(const StoneState& state) const {
-  return Sine(state) * cos_ - Cosine(state) * sin_;
+  return sense_ * (Sine(state) * cos_ - Cosine(state) * sin_);
 }
 
 double SectionEvent::Side(const StoneState& state) const {
@@ -49,7 +52,7 @@ double SectionEvent::Side(const StoneState& state) const {
 }
 
 StoneState SectionEvent::Gradient(const StoneState& state) const {
-  return SineGradient(state) * cos_ - CosineGradient(state) * sin_;
+  return sense_ * (SineGradient(state) * cos_ - CosineGradient(state) * sin_);
 }
 
 }  // namespace celt

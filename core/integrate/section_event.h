@@ -4,6 +4,9 @@
 
 namespace celt {
 
+/// Which crossings of a section count.
+enum class Crossings { kIncreasing, kDecreasing };
+
 /// The section g = g₀ of Andoyer–Deprit variables as a smooth function of the state that vanishes
 /// on it:
 ///
@@ -11,11 +14,19 @@ namespace celt {
 ///
 /// with κ = G √(1 − (L/G)²) √(1 − (H/G)²) > 0. A crossing with g increasing is one where e grows
 /// through zero on the side S sin g₀ + C cos g₀ = κ cos(g − g₀) > 0; on the other side lies g₀ + π.
+/// For crossings with g decreasing e has the other sign: what counts always grows through zero.
 /// Immutable.
 class SectionEvent {
  public:
-  /// `angle` is g₀ [rad], in the body frame.
-  explicit SectionEvent(double angle);
+  /// `angle` is g₀ [rad], in the body frame. An angle alone stands for its section, crossed with g
+  /// increasing.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  SectionEvent(double angle, Crossings crossings = Crossings::kIncreasing);
+
+  double cosine() const { return cos_; }  ///< of g₀
+  double sine() const { return sin_; }    ///< of g₀
+  /// 1 for crossings with g increasing, −1 with g decreasing.
+  double sense() const { return sense_; }
 
   double Value(const StoneState& state) const;
   double Side(const StoneState& state) const;
@@ -25,6 +36,7 @@ class SectionEvent {
  private:
   double cos_;
   double sin_;
+  double sense_;
 };
 
 }  // namespace celt

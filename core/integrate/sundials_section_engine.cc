@@ -62,11 +62,11 @@ struct SundialsSectionEngine::Leg {
       0;  ///< length of the step that went across: the scale on which the solution changes
 };
 
-SundialsSectionEngine::SundialsSectionEngine(const CelticStone& stone, double section_angle,
+SundialsSectionEngine::SundialsSectionEngine(const CelticStone& stone, const SectionEvent& section,
                                              SteppingMethod method, double tolerance,
                                              const CrossingLimits& limits)
     : stone_(stone),
-      event_(section_angle),
+      event_(section),
       method_(method),
       tolerance_(tolerance),
       longest_time_(limits.longest_time * 2 * std::numbers::pi *
@@ -87,9 +87,8 @@ void SundialsSectionEngine::Run(CrossingFeed& feed, Direction direction,
 absl::StatusOr<Crossing> SundialsSectionEngine::Cross(const CrossingTask& task, Direction direction,
                                                       Derivative derivative) const {
   const StoneProblem problem(stone_, derivative, tolerance_);
-  auto leg = StepAcross(problem, task, direction == Direction::kForward ? 1 : -1);
+  auto leg = FindLanding(problem, task, direction == Direction::kForward ? 1 : -1);
   if (!leg.ok()) return leg.status();
-  if (absl::Status status = Land(problem, *leg); !status.ok()) return status;
 
   Crossing crossing;
   crossing.state = StateOf(leg->y);
@@ -99,7 +98,7 @@ absl::StatusOr<Crossing> SundialsSectionEngine::Cross(const CrossingTask& task, 
   return crossing;
 }
 
-absl::StatusOr<SundialsSectionEngine::Leg> SundialsSectionEngine::StepAcross(
+absl::StatusOr<SundialsSectionEngine::Leg> SundialsSectionEngine::FindLanding(
     const OdeProblem& problem, const CrossingTask& task, double sign) const {
   const auto carried =
       problem.size() > task.state.size() ? Derivative::kJacobian : Derivative::kNone;
@@ -116,11 +115,15 @@ absl::StatusOr<SundialsSectionEngine::Leg> SundialsSectionEngine::StepAcross(
 
     const StoneState state = StateOf(y);
     const double after = sign * event_.Value(state);
-    if (before < 0 && after >= 0 && event_.Side(state) > 0) {
-      leg.stride = stepper->time() - leg.time;
-      leg.rest = leg.stride * CubicRoot(before, std::abs(leg.stride) * EventRate(StateOf(leg.y)),
-                                        after, std::abs(leg.stride) * EventRate(state));
-      return leg;
+    // Near |L/G| = 1 a step may begin on one side and end on the other: the crossing decides.
+    if (before < 0 && after >= 0 && (event_.Side(StateOf(leg.y)) > 0 || event_.Side(state) > 0)) {
+      Leg landed = leg;
+      landed.stride = stepper->time() - leg.time;
+      landed.rest =
+          landed.stride * CubicRoot(before, std::abs(landed.stride) * EventRate(StateOf(leg.y)),
+                                    after, std::abs(landed.stride) * EventRate(state));
+      if (absl::Status landing = Land(problem, landed); !landing.ok()) return landing;
+      if (event_.Side(StateOf(landed.y)) > 0) return landed;
     }
     if (stepper->time() == sign * longest_time_)
       return Lost(y, stepper->time(), "no crossing within the longest time");

@@ -24,8 +24,8 @@ enum class SteppingMethod { kAdams, kRungeKutta };
 /// much more closely than that, but for orbits that all but touch the section.
 class SundialsSectionEngine final : public SectionEngine {
  public:
-  SundialsSectionEngine(const CelticStone& stone, double section_angle, SteppingMethod method,
-                        double tolerance, const CrossingLimits& limits = {});
+  SundialsSectionEngine(const CelticStone& stone, const SectionEvent& section,
+                        SteppingMethod method, double tolerance, const CrossingLimits& limits = {});
 
   void Run(CrossingFeed& feed, Direction direction, Derivative derivative) const override;
 
@@ -34,8 +34,8 @@ class SundialsSectionEngine final : public SectionEngine {
 
   absl::StatusOr<Crossing> Cross(const CrossingTask& task, Direction direction,
                                  Derivative derivative) const;
-  absl::StatusOr<Leg> StepAcross(const OdeProblem& problem, const CrossingTask& task,
-                                 double sign) const;
+  absl::StatusOr<Leg> FindLanding(const OdeProblem& problem, const CrossingTask& task,
+                                  double sign) const;
   absl::Status Land(const OdeProblem& problem, Leg& leg) const;
   std::unique_ptr<OdeStepper> MakeStepper(const OdeProblem& problem,
                                           std::span<const double> start) const;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "absl/strings/str_cat.h"
 #include "core/integrate/section_engine.h"
 #include "core/map/section_map.h"
 #include "core/model/celtic_stone.h"
@@ -24,7 +25,7 @@ constexpr ParameterInfo Positive(std::string_view name, double value,
           .lowest_allowed = false};
 }
 
-constexpr std::array<ParameterInfo, 11> kParameters = {{
+constexpr std::array<ParameterInfo, 12> kParameters = {{
     {.name = "energy",
      .default_value = 752,
      .unit = "",
@@ -47,8 +48,21 @@ constexpr std::array<ParameterInfo, 11> kParameters = {{
     {.name = "section_angle",
      .default_value = std::numbers::pi,
      .unit = "rad",
-     .description = "g of the section in the body frame, crossed with g increasing"},
+     .description = "g of the section in the body frame"},
+    {.name = "crossing",
+     .default_value = 1,
+     .unit = "",
+     .description = "1: the section is crossed with g increasing; -1: decreasing",
+     .lowest = -1,
+     .highest = 1},
 }};
+
+absl::StatusOr<Crossings> CrossingsOf(double crossing) {
+  if (crossing == 1) return Crossings::kIncreasing;
+  if (crossing == -1) return Crossings::kDecreasing;
+  return absl::InvalidArgumentError(absl::StrCat(
+      "crossing: ", crossing, " is not allowed; it is 1 (g increasing) or -1 (decreasing)"));
+}
 
 class CelticStoneSections final : public System {
  public:
@@ -76,7 +90,9 @@ class CelticStoneSections final : public System {
     if (absl::Status status = CheckStone(stone_parameters); !status.ok()) return status;
     const CelticStone stone(stone_parameters);
     const double angle = parameters.at("section_angle");
-    auto engine = MakeSectionEngine(stone, angle, numerics);
+    const auto crossings = CrossingsOf(parameters.at("crossing"));
+    if (!crossings.ok()) return crossings.status();
+    auto engine = MakeSectionEngine(stone, {angle, *crossings}, numerics);
     if (!engine.ok()) return engine.status();
     return std::make_unique<SectionMap>(stone, parameters.at("energy"), angle, *std::move(engine));
   }

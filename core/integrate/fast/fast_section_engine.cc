@@ -146,14 +146,12 @@ constexpr double kGuard = 30;
 
 }  // namespace
 
-FastSectionEngine::FastSectionEngine(const CelticStone& stone, double section_angle,
+FastSectionEngine::FastSectionEngine(const CelticStone& stone, const SectionEvent& section,
                                      double tolerance, const FastOptions& options)
     : impl_(
           new Impl{.problem = {.stone = stone,
-                               .event = SectionEvent(section_angle),
+                               .event = section,
                                .constants = fast::StoneConstants(stone),
-                               .cosine = std::cos(section_angle),
-                               .sine = std::sin(section_angle),
                                .tolerance = kGuard * std::pow(tolerance, 8 / 9.0),
                                .longest_step = kStep * std::pow(tolerance, 1 / 9.0),
                                .longest_time = options.limits.longest_time * 2 * std::numbers::pi *

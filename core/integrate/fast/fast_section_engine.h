@@ -4,6 +4,7 @@
 
 #include "core/integrate/crossing.h"
 #include "core/integrate/crossing_limits.h"
+#include "core/integrate/section_event.h"
 #include "core/model/celtic_stone.h"
 
 namespace celt {
@@ -40,9 +41,9 @@ struct FastOptions {
 /// or on the order; it may differ between machines with fused multiply-add and those without.
 class FastSectionEngine final : public SectionEngine {
  public:
-  /// `section_angle` is g₀ [rad], body frame. Preconditions: CheckStone(stone.parameters()) is OK,
+  /// Preconditions: CheckStone(stone.parameters()) is OK,
   /// `tolerance` is in [1e-14, 1e-3], `lanes` one of those that it may be.
-  FastSectionEngine(const CelticStone& stone, double section_angle, double tolerance,
+  FastSectionEngine(const CelticStone& stone, const SectionEvent& section, double tolerance,
                     const FastOptions& options = {});
   ~FastSectionEngine() override;
   void Run(CrossingFeed& feed, Direction direction, Derivative derivative) const override;

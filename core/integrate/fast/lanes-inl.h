@@ -38,7 +38,10 @@ class Group {
  public:
   /// `step` is room to work in, for one group at a time.
   Group(const Problem& problem, Direction direction, StepResult<Layout>& step)
-      : problem_(problem), direction_(direction == Direction::kForward ? 1 : -1), step_(step) {
+      : problem_(problem),
+        direction_(direction == Direction::kForward ? 1 : -1),
+        sense_(direction_ * problem.event.sense()),
+        step_(step) {
     for (int lane = 0; lane < kN; ++lane) Park(lane);
   }
 
@@ -123,8 +126,8 @@ class Group {
     V x[kComponents], error[kComponents];
     const auto locate = [&](const double* orbit, double* values, double* sides) HWY_ATTR {
       LoadAll(orbit, x);
-      const SectionPlace<V> place =
-          Locate(problem_.constants, problem_.cosine, problem_.sine, stride.gravity, x);
+      const SectionPlace<V> place = Locate(problem_.constants, problem_.event.cosine(),
+                                           problem_.event.sine(), stride.gravity, x);
       Store(place.value, values);
       Store(place.side, sides);
     };
@@ -152,8 +155,8 @@ class Group {
     if (!(ratio_[lane] <= 1)) return Shorten(feed, lane);
 
     const Look begin = own.before;
-    const Look middle{kNodes[kMiddleStage], direction_ * middle_value_[lane], middle_side_[lane]};
-    const Look end{1, direction_ * end_value_[lane], end_side_[lane]};
+    const Look middle{kNodes[kMiddleStage], sense_ * middle_value_[lane], middle_side_[lane]};
+    const Look end{1, sense_ * end_value_[lane], end_side_[lane]};
     if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
 
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
@@ -230,7 +233,7 @@ class Group {
 
   Look LookAt(int lane, double part) const {
     const auto place = PlaceAt(problem_, PartOfStep(lane, part), gravity_[lane]);
-    return {part, direction_ * place.value, place.side};
+    return {part, sense_ * place.value, place.side};
   }
 
   /// Sets the lane to step from where it is to the section, which the step just taken crosses at
@@ -314,7 +317,8 @@ class Group {
   static constexpr const char* kTilted = "gamma3 goes to 0, the contact point to infinity";
 
   const Problem& problem_;
-  const double direction_;
+  const double direction_;  ///< of time
+  const double sense_;      ///< e times this grows through zero at a crossing
   StepResult<Layout>& step_;
   int busy_ = 0;
   Lane lanes_[kN];

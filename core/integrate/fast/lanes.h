@@ -14,8 +14,6 @@ struct Problem {
   CelticStone stone;
   SectionEvent event;
   StoneConstants constants;
-  double cosine = -1;  ///< of the section's angle
-  double sine = 0;
   double tolerance = 0;     ///< what the error estimate of a step may be
   double longest_step = 0;  ///< in scaled time
   double longest_time = 0;

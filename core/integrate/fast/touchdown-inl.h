@@ -41,8 +41,8 @@ HWY_INLINE SectionPlace<double> PlaceAt(const Problem& problem, const FastState&
                                         double gravity) {
   One state[kComponents];
   Unpack(x, state);
-  const SectionPlace<One> place =
-      Locate(problem.constants, problem.cosine, problem.sine, Set<One>(gravity), state);
+  const SectionPlace<One> place = Locate(problem.constants, problem.event.cosine(),
+                                         problem.event.sine(), Set<One>(gravity), state);
   return {hn::GetLane(place.value), hn::GetLane(place.side)};
 }
 

@@ -58,6 +58,20 @@ std::vector<CrossingTask> ReferenceTasks(std::size_t count) {
   return tasks;
 }
 
+/// Points of a grid over a level on which g goes both ways.
+std::vector<CrossingTask> GridTasks(double angle) {
+  std::vector<CrossingTask> tasks;
+  for (const double l : {0.4, 2.1, 3.7}) {
+    for (const double l_over_g : {-0.8, -0.2, 0.5}) {
+      for (const double h_over_g : {-0.6, 0.3, 0.9}) {
+        const auto lifted = LiftToLevel(Stone(), 752, angle, {l, l_over_g, h_over_g});
+        if (lifted.ok()) tasks.push_back({.state = lifted->state, .tangents = lifted->derivative});
+      }
+    }
+  }
+  return tasks;
+}
+
 class SectionEngines : public testing::TestWithParam<Engine> {
  protected:
   std::unique_ptr<SectionEngine> Make(double tolerance) const {
@@ -66,6 +80,55 @@ class SectionEngines : public testing::TestWithParam<Engine> {
     return *std::move(engine);
   }
 };
+
+TEST_P(SectionEngines, CrossTheWayTheyAreAskedTo) {
+  constexpr double kAngle = 2.5;  // where orbits cross either way
+  for (const Crossings way : {Crossings::kIncreasing, Crossings::kDecreasing}) {
+    const SectionEvent event(kAngle, way);
+    const auto engine =
+        MakeSectionEngine(Stone(), event, {.tolerance = 1e-10, .engine = GetParam()});
+    ListFeed feed(GridTasks(kAngle));
+    (*engine)->Run(feed, Direction::kForward, Derivative::kNone);
+    int crossed = 0;
+    for (std::size_t i = 0; i < feed.crossings.size(); ++i) {
+      if (!feed.statuses[i].ok()) continue;
+      ++crossed;
+      const StoneState& y = feed.crossings[i].state;
+      EXPECT_GT(event.Side(y), 0);
+      // The gradient carries the sign: what counts always grows.
+      EXPECT_GT(event.Gradient(y).dot(Stone().Field(y)), 0);
+    }
+    EXPECT_GT(crossed, 3);
+  }
+}
+
+TEST_P(SectionEngines, CrossBackwardWhereTheyCameFrom) {
+  constexpr double kAngle = 2.5;  // where orbits cross either way
+  const SectionEvent event(kAngle, Crossings::kDecreasing);
+  const auto engine = MakeSectionEngine(Stone(), event, {.tolerance = 1e-11, .engine = GetParam()});
+  ListFeed there(GridTasks(kAngle));
+  (*engine)->Run(there, Direction::kForward, Derivative::kNone);
+  // Where an orbit all but touches the section, neighbouring crossings may go unseen.
+  const auto transversal = [&](const StoneState& y) {
+    const double rate = event.Gradient(y).dot(Stone().Field(y)) / event.Side(y);  // |dg/dt|
+    return rate > 2 && event.Side(y) > 0.3 * y.head<3>().norm();
+  };
+  int returned = 0;
+  for (std::size_t i = 0; i < there.crossings.size(); ++i) {
+    if (!there.statuses[i].ok() || !transversal(there.crossings[i].state)) continue;
+    ListFeed on({{.state = there.crossings[i].state, .tangents = {}}});
+    (*engine)->Run(on, Direction::kForward, Derivative::kNone);
+    if (!on.statuses[0].ok() || !transversal(on.crossings[0].state)) continue;
+    ListFeed back({{.state = on.crossings[0].state, .tangents = {}}});
+    (*engine)->Run(back, Direction::kBackward, Derivative::kNone);
+    ASSERT_TRUE(back.statuses[0].ok()) << back.statuses[0];
+    // Tolerances add up over some hundred steps, and orbits stretch by up to a thousand.
+    const StoneState& start = there.crossings[i].state;
+    EXPECT_LT((back.crossings[0].state - start).norm(), 1e-6 * start.norm()) << i;
+    ++returned;
+  }
+  EXPECT_GT(returned, 2);
+}
 
 TEST_P(SectionEngines, LandOnTheSectionToRounding) {
   ListFeed feed(ReferenceTasks(10));

@@ -25,6 +25,15 @@ TEST(SectionEvent, IsTheSineOfTheAngleFromTheSection) {
   }
 }
 
+TEST(SectionEvent, HasTheOtherSignForCrossingsTheOtherWay) {
+  const SectionEvent increasing(1.2);
+  const SectionEvent decreasing(1.2, Crossings::kDecreasing);
+  const StoneState y = SomeState(0.8);
+  EXPECT_EQ(decreasing.Value(y), -increasing.Value(y));
+  EXPECT_EQ(decreasing.Gradient(y), -increasing.Gradient(y));
+  EXPECT_EQ(decreasing.Side(y), increasing.Side(y)) << "g0 and g0 + pi stay apart";
+}
+
 TEST(SectionEvent, GradientIsItsDerivative) {
   const SectionEvent event(2.5);
   const StoneState y = SomeState(0.8);

@@ -45,6 +45,7 @@ TEST(CelticStoneSystem, DependsOnEachOfItsParameters) {
   const auto map = CelticStoneSystem().MakeMap({}, numerics);
   const Point image = (*map)->Apply(start, Direction::kForward, Derivative::kNone)->point;
   for (const ParameterInfo& info : CelticStoneSystem().parameters()) {
+    if (info.name == "crossing") continue;  // has two values only
     const Parameters changed = {{std::string(info.name), 0.99 * info.default_value}};
     const auto other = CelticStoneSystem().MakeMap(changed, numerics);
     ASSERT_TRUE(other.ok()) << other.status();
@@ -52,6 +53,26 @@ TEST(CelticStoneSystem, DependsOnEachOfItsParameters) {
     ASSERT_TRUE(moved.ok()) << moved.status();
     EXPECT_GT((moved->point - image).norm(), 1e-5) << info.name;
   }
+}
+
+TEST(CelticStoneSystem, CrossesItsSectionEitherWay) {
+  // At this point orbits come back both ways, the next time and the time after.
+  const Point start = Eigen::Vector3d(0.4, -0.8, -0.6);
+  const auto image = [&](double crossing) {
+    const auto map =
+        CelticStoneSystem().MakeMap({{"section_angle", 2.5}, {"crossing", crossing}}, {});
+    return (*map)->Apply(start, Direction::kForward, Derivative::kNone);
+  };
+  ASSERT_TRUE(image(1).ok()) << image(1).status();
+  ASSERT_TRUE(image(-1).ok()) << image(-1).status();
+  EXPECT_GT((image(1)->point - image(-1)->point).norm(), 1e-3);
+}
+
+TEST(CelticStoneSystem, RefusesACrossingThatIsNeitherWay) {
+  const auto map = CelticStoneSystem().MakeMap({{"crossing", 0.5}}, {});
+  EXPECT_EQ(map.status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_NE(map.status().message().find("crossing: 0.5 is not allowed; it is 1"), std::string::npos)
+      << map.status();
 }
 
 }  // namespace
