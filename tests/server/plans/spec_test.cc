@@ -28,7 +28,7 @@ v1::JobSpec Resolve(const std::string& text) {
 TEST(ResolveSpec, FillsInEveryDefault) {
   const v1::JobSpec spec = Resolve("lyapunov {}");
   EXPECT_EQ(spec.system().name(), "celtic-stone");
-  EXPECT_EQ(spec.system().parameters_size(), 11);
+  EXPECT_EQ(spec.system().parameters_size(), 12);
   EXPECT_EQ(spec.system().parameters().at("energy"), 752);
   EXPECT_EQ(spec.numerics().tolerance(), 1e-11);
   EXPECT_NE(spec.numerics().engine(), v1::ENGINE_UNSPECIFIED);
