@@ -7,6 +7,7 @@
 #include "Eigen/Geometry"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/string_view.h"
+#include "core/integrate/flow_stepper.h"
 #include "core/integrate/ode_stepper.h"
 #include "core/integrate/rolling_problem.h"
 
@@ -20,21 +21,6 @@ absl::Status CheckPositive(const char* name, double value) {
   if (value > 0) return absl::OkStatus();
   return absl::InvalidArgumentError(
       absl::StrCat(name, ": ", value, " is not allowed; must be positive"));
-}
-
-absl::StatusOr<std::unique_ptr<OdeStepper>> MakeStepper(Engine engine, const OdeProblem& problem,
-                                                        std::span<const double> start) {
-  switch (engine) {
-    case Engine::kCvode:
-      return MakeAdamsStepper(problem, start);
-    case Engine::kDefault:
-    case Engine::kArkode:
-      return MakeRungeKuttaStepper(problem, start);
-    case Engine::kFast:
-      break;
-  }
-  return absl::InvalidArgumentError(
-      "engine: the fast engine goes from section to section only; use default, cvode or arkode");
 }
 
 /// Time of record `record` since the start, without sign.
@@ -134,7 +120,7 @@ absl::Status AdvanceOrbit(const CelticStone& stone, StoneOrbit& orbit, const Orb
   if (absl::Status status = CheckNumerics(numerics); !status.ok()) return status;
   const RollingProblem problem(stone, numerics.tolerance);
   const std::vector<double> start = Pack(orbit.state);
-  auto stepper = MakeStepper(numerics.engine, problem, start);
+  auto stepper = MakeFlowStepper(numerics.engine, problem, start);
   if (!stepper.ok()) return stepper.status();
   const double start_time = TimeOf(orbit.record, options);
   for (std::int64_t i = 0; i < records && !orbit.ended; ++i) {

@@ -10,6 +10,7 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/string_view.h"
+#include "core/integrate/flow_stepper.h"
 #include "core/integrate/ode_stepper.h"
 
 namespace celt {
@@ -82,21 +83,6 @@ FlowPoint Unpack(std::span<const double> y, const FlowPoint& shape) {
   return {ConstVector(y.data(), n), ConstMatrix(y.data() + n, n, shape.tangents.cols())};
 }
 
-absl::StatusOr<std::unique_ptr<OdeStepper>> MakeStepper(Engine engine, const OdeProblem& problem,
-                                                        std::span<const double> start) {
-  switch (engine) {
-    case Engine::kCvode:
-      return MakeAdamsStepper(problem, start);
-    case Engine::kDefault:
-    case Engine::kArkode:
-      return MakeRungeKuttaStepper(problem, start);
-    case Engine::kFast:
-      break;
-  }
-  return absl::InvalidArgumentError(
-      "engine: the fast engine advances the stone only; use default, cvode or arkode");
-}
-
 absl::Status Lost(const OdeStepper& stepper, int dimension, absl::string_view why) {
   return absl::OutOfRangeError(absl::StrCat(
       "orbit lost at t = ", stepper.time(), ", state (",
@@ -125,7 +111,7 @@ absl::StatusOr<FlowPoint> AdvanceFlow(const Flow& flow, const FlowPoint& start, 
   if (absl::Status status = CheckStart(flow, start, time); !status.ok()) return status;
   if (time == 0) return start;
   const TangentProblem problem(flow, static_cast<int>(start.tangents.cols()), numerics.tolerance);
-  auto stepper = MakeStepper(numerics.engine, problem, Pack(start));
+  auto stepper = MakeFlowStepper(numerics.engine, problem, Pack(start));
   if (!stepper.ok()) return stepper.status();
   if (absl::Status status = StepTo(**stepper, flow, time); !status.ok()) return status;
   return Unpack((*stepper)->state(), start);

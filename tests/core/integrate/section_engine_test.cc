@@ -11,36 +11,13 @@
 #include "core/integrate/sundials_section_engine.h"
 #include "core/model/andoyer.h"
 #include "gtest/gtest.h"
+#include "tests/core/integrate/list_feed.h"
 #include "tests/core/reference.h"
 
 namespace celt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Feeds a list of tasks in order and keeps what comes back.
-class ListFeed final : public CrossingFeed {
- public:
-  explicit ListFeed(std::vector<CrossingTask> tasks)
-      : crossings(tasks.size()), statuses(tasks.size()), tasks_(std::move(tasks)) {}
-  bool Next(CrossingTask& task, int& ticket) override {
-    if (next_ == tasks_.size()) return false;
-    task = tasks_[next_];
-    ticket = static_cast<int>(next_++);
-    return true;
-  }
-  void Done(int ticket, const absl::Status& status, const Crossing& crossing) override {
-    statuses[ticket] = status;
-    crossings[ticket] = crossing;
-  }
-
-  std::vector<Crossing> crossings;
-  std::vector<absl::Status> statuses;
-
- private:
-  std::vector<CrossingTask> tasks_;
-  std::size_t next_ = 0;
-};
 
 CelticStone Stone() { return CelticStone{StoneParameters{}}; }
 
