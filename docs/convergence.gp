@@ -1,4 +1,4 @@
-# The convergence of a spectrum. First: celt lyapunov --iterates 400000 --engine fast --output csv > FILE, then
+# The convergence of a spectrum. First: celt lyapunov --iterates 400000 --output csv > FILE, then
 #   gnuplot -e "history='FILE'" docs/convergence.gp > docs/convergence.svg
 set terminal svg size 900,330 font 'sans,12' background rgb 'white'
 set datafile separator ','
