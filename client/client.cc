@@ -16,6 +16,12 @@ absl::Status FromGrpc(const grpc::Status& status) {
   return {static_cast<absl::StatusCode>(status.error_code()), status.error_message()};
 }
 
+/// By hand, not as call credentials, which gRPC takes on encrypted channels only: a loopback
+/// address may do without.
+void ShowToken(const ClientOptions& options, grpc::ClientContext& context) {
+  if (!options.token.empty()) context.AddMetadata("authorization", "Bearer " + options.token);
+}
+
 template <typename Request>
 Request WithId(std::string_view id) {
   Request request;
@@ -28,9 +34,10 @@ template <typename Response, typename Request>
 absl::StatusOr<Response> Call(v1::Celt::Stub& stub,
                               grpc::Status (v1::Celt::Stub::*method)(grpc::ClientContext*,
                                                                      const Request&, Response*),
-                              const Request& request, absl::Duration deadline,
-                              const std::stop_token& stop) {
+                              const Request& request, const ClientOptions& options,
+                              absl::Duration deadline, const std::stop_token& stop) {
   grpc::ClientContext context;
+  ShowToken(options, context);
   context.set_deadline(std::chrono::system_clock::now() + absl::ToChronoMilliseconds(deadline));
   const std::stop_callback on_stop(stop, [&context] { context.TryCancel(); });
   Response response;
@@ -45,8 +52,10 @@ absl::StatusOr<Response> Call(v1::Celt::Stub& stub,
 
 /// Reads a stream to its end; `on_message` may end it early with a status of its own.
 template <typename Message, typename Open, typename OnMessage>
-absl::Status ReadAll(const std::stop_token& stop, Open open, OnMessage on_message) {
+absl::Status ReadAll(const ClientOptions& options, const std::stop_token& stop, Open open,
+                     OnMessage on_message) {
   grpc::ClientContext context;
+  ShowToken(options, context);
   const std::stop_callback on_stop(stop, [&context] { context.TryCancel(); });
   std::unique_ptr<grpc::ClientReader<Message>> reader = open(&context);
   Message message;
@@ -58,6 +67,15 @@ absl::Status ReadAll(const std::stop_token& stop, Open open, OnMessage on_messag
   return status;
 }
 
+std::shared_ptr<grpc::ChannelCredentials> CredentialsOf(const ChannelSecurity& security) {
+  if (!security.tls) return grpc::InsecureChannelCredentials();
+  grpc::SslCredentialsOptions options;
+  options.pem_root_certs = security.authorities;
+  options.pem_cert_chain = security.certificate;
+  options.pem_private_key = security.key;
+  return grpc::SslCredentials(options);
+}
+
 bool HasEnded(const v1::Job& job) {
   return job.state() == v1::Job::STATE_SUCCEEDED || job.state() == v1::Job::STATE_FAILED ||
          job.state() == v1::Job::STATE_CANCELLED;
@@ -65,7 +83,8 @@ bool HasEnded(const v1::Job& job) {
 
 }  // namespace
 
-std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address) {
+std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address,
+                                           const ChannelSecurity& security) {
   constexpr int kSecond = 1000;
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
@@ -76,39 +95,41 @@ std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address) {
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 2 * kSecond);
   // Its own connection: a second client of the process must not inherit the first one's backoff.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-  return grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
+  return grpc::CreateCustomChannel(address, CredentialsOf(security), arguments);
 }
 
 Client::Client(std::shared_ptr<grpc::Channel> channel, const ClientOptions& options)
     : stub_(v1::Celt::NewStub(std::move(channel))), options_(options) {}
 
 absl::StatusOr<v1::Job> Client::Submit(const v1::SubmitJobRequest& request) const {
-  return Call(*stub_, &v1::Celt::Stub::SubmitJob, request, options_.call_deadline, {});
+  return Call(*stub_, &v1::Celt::Stub::SubmitJob, request, options_, options_.call_deadline, {});
 }
 
 absl::StatusOr<v1::Job> Client::Get(std::string_view id, const std::stop_token& stop) const {
-  return Call(*stub_, &v1::Celt::Stub::GetJob, WithId<v1::GetJobRequest>(id),
+  return Call(*stub_, &v1::Celt::Stub::GetJob, WithId<v1::GetJobRequest>(id), options_,
               options_.call_deadline, stop);
 }
 
 absl::StatusOr<v1::ListJobsResponse> Client::List(const v1::ListJobsRequest& request,
                                                   const std::stop_token& stop) const {
-  return Call(*stub_, &v1::Celt::Stub::ListJobs, request, options_.call_deadline, stop);
+  return Call(*stub_, &v1::Celt::Stub::ListJobs, request, options_, options_.call_deadline, stop);
 }
 
 absl::StatusOr<v1::Job> Client::Cancel(std::string_view id, absl::Duration deadline,
                                        const std::stop_token& stop) const {
-  return Call(*stub_, &v1::Celt::Stub::CancelJob, WithId<v1::CancelJobRequest>(id), deadline, stop);
+  return Call(*stub_, &v1::Celt::Stub::CancelJob, WithId<v1::CancelJobRequest>(id), options_,
+              deadline, stop);
 }
 
 absl::Status Client::Delete(std::string_view id, const std::stop_token& stop) const {
-  return Call(*stub_, &v1::Celt::Stub::DeleteJob, WithId<v1::DeleteJobRequest>(id),
+  return Call(*stub_, &v1::Celt::Stub::DeleteJob, WithId<v1::DeleteJobRequest>(id), options_,
               options_.call_deadline, stop)
       .status();
 }
 
 absl::StatusOr<v1::GetInfoResponse> Client::Info(const std::stop_token& stop) const {
-  return Call(*stub_, &v1::Celt::Stub::GetInfo, v1::GetInfoRequest(), options_.call_deadline, stop);
+  return Call(*stub_, &v1::Celt::Stub::GetInfo, v1::GetInfoRequest(), options_,
+              options_.call_deadline, stop);
 }
 
 absl::StatusOr<v1::Job> Client::Watch(std::string_view id, OnJob on_job,
@@ -119,7 +140,7 @@ absl::StatusOr<v1::Job> Client::Watch(std::string_view id, OnJob on_job,
     const auto open = [&](grpc::ClientContext* context) {
       return stub_->WatchJob(context, request);
     };
-    return ReadAll<v1::Job>(stop, open, [&](const v1::Job& job) {
+    return ReadAll<v1::Job>(options_, stop, open, [&](const v1::Job& job) {
       progressed = true;
       last = job;
       return on_job(job);
@@ -151,7 +172,7 @@ absl::StatusOr<v1::Result> Client::Stream(std::string_view id, std::int64_t afte
     const auto open = [&](grpc::ClientContext* context) {
       return stub_->StreamResults(context, request);
     };
-    return ReadAll<v1::StreamResultsResponse>(stop, open,
+    return ReadAll<v1::StreamResultsResponse>(options_, stop, open,
                                               [&](const v1::StreamResultsResponse& message) {
                                                 progressed = true;
                                                 return on_message(message);

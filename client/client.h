@@ -20,11 +20,22 @@ struct ClientOptions {
   /// A stream that breaks off is taken up again where it broke, until for this long nothing has
   /// come of it. Zero: never.
   absl::Duration reconnect = absl::Seconds(30);
+  /// Shown with every call, where the server wants one.
+  std::string token = {};
 };
 
-/// A channel without encryption to `address`, "host:port". Proxies of the environment are ignored.
-/// Nothing is sent before the first call.
-std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address);
+/// How a channel is encrypted; files as PEM, their contents.
+struct ChannelSecurity {
+  bool tls = false;
+  std::string authorities;  ///< that may have signed the server's certificate; empty: the system's
+  std::string certificate;  ///< of this client, with `key`; empty: none
+  std::string key;
+};
+
+/// A channel to `address`, "host:port". Proxies of the environment are ignored. Nothing is sent
+/// before the first call.
+std::shared_ptr<grpc::Channel> OpenChannel(const std::string& address,
+                                           const ChannelSecurity& security = {});
 
 /// The service celt.v1.Celt as functions. A status has the code and message that the service gave;
 /// UNAVAILABLE when it could not be reached. Every call with a `stop` ends soon after a stop is

@@ -70,6 +70,9 @@ int Main(const std::vector<std::string>& arguments) {
   environment.out_is_terminal = isatty(STDOUT_FILENO) == 1;
   environment.progress_width = ProgressWidth();
   environment.server = Variable("CELT_SERVER");
+  environment.token = Variable("CELT_TOKEN");
+  environment.token_file = Variable("CELT_TOKEN_FILE");
+  environment.tls_ca = Variable("CELT_TLS_CA");
   environment.state_dir = celt::cli::DefaultStateDir();
   environment.start_embedded = StartHost;
   environment.interrupt = signals.interrupt();

@@ -34,6 +34,9 @@ struct Environment {
   bool out_is_terminal = false;
   int progress_width = 0;  ///< columns of the terminal that shows progress; 0: there is none
   std::string server;      ///< of CELT_SERVER; empty for none
+  std::string token;       ///< of CELT_TOKEN
+  std::string token_file;  ///< of CELT_TOKEN_FILE
+  std::string tls_ca;      ///< of CELT_TLS_CA
   std::string state_dir;   ///< where the embedded service keeps its data by default
   StartEmbedded start_embedded;
   std::stop_token interrupt;  ///< a stop is asked for at the first Ctrl-C

@@ -24,10 +24,21 @@ void AddAddress(CLI::App& app, std::optional<std::string>& target) {
       ->type_name("HOST:PORT");
 }
 
+void AddFile(CLI::App& app, const char* name, std::optional<std::string>& target,
+             const char* description) {
+  app.add_option(name, target, description)->group(kGroup)->type_name("FILE");
+}
+
 }  // namespace
 
 void ServiceOptions::AddTo(CLI::App& app) {
   AddAddress(app, server);
+  AddFile(app, "--token-file", token_file,
+          "with the server's token (default: $CELT_TOKEN_FILE or $CELT_TOKEN)");
+  app.add_flag("--tls", tls, "encrypt, and trust the system's authorities")->group(kGroup);
+  AddFile(app, "--tls-ca", tls_ca, "encrypt, and trust these authorities (default: $CELT_TLS_CA)");
+  AddFile(app, "--tls-certificate", tls_certificate, "this client's certificate, with --tls-key");
+  AddFile(app, "--tls-key", tls_key, "its private key");
   AddNumber(app, "--reconnect", reconnect,
             {kGroup, "SECONDS", "how long to try again when a stream breaks off (default 30)"});
   app.add_option("--data-dir", data_dir,

@@ -12,6 +12,11 @@ namespace celt::cli {
 /// The options of every command: where the service is, and how to print.
 struct ServiceOptions {
   std::optional<std::string> server;
+  std::optional<std::string> token_file;
+  bool tls = false;
+  std::optional<std::string> tls_ca;
+  std::optional<std::string> tls_certificate;
+  std::optional<std::string> tls_key;
   std::optional<std::string> data_dir;
   std::optional<std::int64_t> threads;
   std::optional<double> reconnect;  ///< seconds

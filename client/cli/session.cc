@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "client/cli/keys.h"
 #include "client/cli/parse.h"
 
 namespace celt::cli {
@@ -63,7 +64,7 @@ Session::Session(OutputFormat format, Terminal& terminal, std::stop_token interr
 absl::StatusOr<std::unique_ptr<Session>> Session::Open(const ServiceOptions& options,
                                                        const Environment& environment,
                                                        Terminal& terminal, bool needs_past_jobs) {
-  const auto client_options = MakeClientOptions(options);
+  auto client_options = MakeClientOptions(options);
   if (!client_options.ok()) return client_options.status();
 
   std::unique_ptr<Session> session(
@@ -82,7 +83,12 @@ absl::StatusOr<std::unique_ptr<Session>> Session::Open(const ServiceOptions& opt
       return absl::InvalidArgumentError(absl::StrCat("CELT_SERVER: ", address.status().message()));
     }
     SayIgnored(options, terminal);
-    channel = client::OpenChannel(*address);
+    const auto security = SecurityOf(options, environment);
+    if (!security.ok()) return security.status();
+    const auto token = TokenFor(*address, *security, options, environment);
+    if (!token.ok()) return token.status();
+    client_options->token = *token;
+    channel = client::OpenChannel(*address, *security);
   }
   session->client_ = std::make_unique<client::Client>(std::move(channel), *client_options);
   return session;

@@ -20,23 +20,16 @@ constexpr std::size_t kLongestRequestId = 64;
 constexpr int kDefaultPage = 50;
 constexpr int kLargestPage = 1000;
 
-grpc::ServerUnaryReactor* Answer(grpc::CallbackServerContext* context, const absl::Status& status) {
-  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  reactor->Finish(ToGrpc(status));
-  return reactor;
-}
-
-template <class Message>
-grpc::ServerUnaryReactor* Answer(grpc::CallbackServerContext* context,
-                                 absl::StatusOr<Message> answer, Message* response) {
-  const absl::Status status = answer.status();
-  if (answer.ok()) *response = *std::move(answer);
-  return Answer(context, status);
-}
-
 absl::StatusOr<v1::Job> ToAnswer(const absl::StatusOr<jobs::Job>& job) {
   if (!job.ok()) return job.status();
   return ToMessage(*job);
+}
+
+/// The job that an answer is about, for the log.
+std::string JobOf(const v1::Job& job) { return job.id(); }
+template <class Message>
+std::string JobOf(const Message&) {
+  return "";
 }
 
 }  // namespace
@@ -45,21 +38,65 @@ void CeltService::EndStreams() {
   streams_.EndAll(absl::UnavailableError("the server is shutting down; come back later"));
 }
 
-absl::StatusOr<v1::Job> CeltService::Submit(const v1::SubmitJobRequest& request) {
+template <class Message, class Work>
+grpc::ServerUnaryReactor* CeltService::Answer(grpc::CallbackServerContext* context,
+                                              std::string_view method, Message* response,
+                                              Work work) {
+  Call call(*context, method, gate_);
+  absl::Status status = call.identity().status();
+  if (status.ok()) {
+    absl::StatusOr<Message> answer = work(*call.identity());
+    status = answer.status();
+    if (answer.ok()) *response = *std::move(answer);
+  }
+  call.set_job(JobOf(*response));
+  call.Tell(options_.on_call, status);
+  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
+  reactor->Finish(ToGrpc(status));
+  return reactor;
+}
+
+template <class Stream, class Message, class Request>
+grpc::ServerWriteReactor<Message>* CeltService::Begin(grpc::CallbackServerContext* context,
+                                                      std::string_view method,
+                                                      const Request& request) {
+  Call call(*context, method, gate_);
+  absl::Status status = call.identity().status();
+  if (status.ok()) status = Own(*call.identity(), request.id()).status();
+  // What is wrong with a job that can't be woken, its stream says.
+  if (status.ok()) scheduler_.Wake(request.id()).IgnoreError();
+  const auto stream = std::make_shared<Stream>(store_, request);
+  call.set_job(status.ok() ? request.id() : "");
+  stream->set_on_finish(
+      [this, call](const absl::Status& end) { call.Tell(options_.on_call, end); });
+  if (!status.ok()) stream->End(status);
+  return stream->Begin(streams_, scheduler_.notifier(), request.id());
+}
+
+absl::StatusOr<jobs::Job> CeltService::Own(const auth::Identity& who, const std::string& id) const {
+  absl::StatusOr<jobs::Job> job = store_.Get(id);
+  if (!job.ok() || who.admin || job->owner == who.owner) return job;
+  return absl::NotFoundError(absl::StrCat("id: there is no job ", id));
+}
+
+absl::StatusOr<v1::Job> CeltService::Submit(const auth::Identity& who,
+                                            const v1::SubmitJobRequest& request) {
   if (request.request_id().size() > kLongestRequestId) {
     return absl::InvalidArgumentError(absl::StrCat("request_id: has ", request.request_id().size(),
                                                    " characters; at most ", kLongestRequestId));
   }
   CELT_ASSIGN_OR_RETURN(const v1::JobSpec spec, plans::ResolveSpec(request.spec()));
-  CELT_RETURN_IF_ERROR(plans::CheckLimits(spec, limits_));
+  CELT_RETURN_IF_ERROR(plans::CheckLimits(spec, options_.limits));
   return ToAnswer(scheduler_.Submit({.specification = plans::Serialize(spec),
-                                     .owner = {},
+                                     .owner = who.owner,
                                      .request_id = request.request_id(),
                                      .fresh = request.fresh()}));
 }
 
-absl::StatusOr<v1::ListJobsResponse> CeltService::List(const v1::ListJobsRequest& request) const {
-  CELT_ASSIGN_OR_RETURN(const jobs::JobFilter filter, ToFilter(request));
+absl::StatusOr<v1::ListJobsResponse> CeltService::List(const auth::Identity& who,
+                                                       const v1::ListJobsRequest& request) const {
+  CELT_ASSIGN_OR_RETURN(jobs::JobFilter filter, ToFilter(request));
+  if (!who.admin) filter.owner = who.owner;
   const int size = request.page_size() == 0 ? kDefaultPage : request.page_size();
   CELT_RETURN_IF_ERROR(plans::CheckRange("page_size", size, 1, kLargestPage));
   CELT_ASSIGN_OR_RETURN(jobs::JobPage page, store_.List(filter, size, request.page_token()));
@@ -74,51 +111,61 @@ absl::StatusOr<v1::ListJobsResponse> CeltService::List(const v1::ListJobsRequest
 grpc::ServerUnaryReactor* CeltService::SubmitJob(grpc::CallbackServerContext* context,
                                                  const v1::SubmitJobRequest* request,
                                                  v1::Job* response) {
-  return Answer(context, Submit(*request), response);
+  return Answer(context, "SubmitJob", response,
+                [&](const auth::Identity& who) { return Submit(who, *request); });
 }
 
 grpc::ServerUnaryReactor* CeltService::GetJob(grpc::CallbackServerContext* context,
                                               const v1::GetJobRequest* request, v1::Job* response) {
-  return Answer(context, ToAnswer(store_.Get(request->id())), response);
+  return Answer(context, "GetJob", response,
+                [&](const auth::Identity& who) { return ToAnswer(Own(who, request->id())); });
 }
 
 grpc::ServerUnaryReactor* CeltService::ListJobs(grpc::CallbackServerContext* context,
                                                 const v1::ListJobsRequest* request,
                                                 v1::ListJobsResponse* response) {
-  return Answer(context, List(*request), response);
+  return Answer(context, "ListJobs", response,
+                [&](const auth::Identity& who) { return List(who, *request); });
 }
 
 grpc::ServerUnaryReactor* CeltService::CancelJob(grpc::CallbackServerContext* context,
                                                  const v1::CancelJobRequest* request,
                                                  v1::Job* response) {
-  return Answer(context, ToAnswer(scheduler_.Cancel(request->id())), response);
+  const auto cancel = [&](const auth::Identity& who) -> absl::StatusOr<v1::Job> {
+    CELT_RETURN_IF_ERROR(Own(who, request->id()).status());
+    return ToAnswer(scheduler_.Cancel(request->id()));
+  };
+  return Answer(context, "CancelJob", response, cancel);
 }
 
 grpc::ServerUnaryReactor* CeltService::DeleteJob(grpc::CallbackServerContext* context,
                                                  const v1::DeleteJobRequest* request,
-                                                 v1::DeleteJobResponse* /*response*/) {
-  return Answer(context, scheduler_.Delete(request->id()));
+                                                 v1::DeleteJobResponse* response) {
+  const auto remove = [&](const auth::Identity& who) -> absl::StatusOr<v1::DeleteJobResponse> {
+    CELT_RETURN_IF_ERROR(Own(who, request->id()).status());
+    CELT_RETURN_IF_ERROR(scheduler_.Delete(request->id()));
+    return v1::DeleteJobResponse();
+  };
+  return Answer(context, "DeleteJob", response, remove);
 }
 
-grpc::ServerWriteReactor<v1::Job>* CeltService::WatchJob(grpc::CallbackServerContext* /*context*/,
+grpc::ServerWriteReactor<v1::Job>* CeltService::WatchJob(grpc::CallbackServerContext* context,
                                                          const v1::WatchJobRequest* request) {
-  scheduler_.Wake(request->id()).IgnoreError();  // what is wrong with the job, its stream says
-  const auto stream = std::make_shared<WatchStream>(store_, request->id());
-  return stream->Begin(streams_, scheduler_.notifier(), request->id());
+  return Begin<WatchStream, v1::Job>(context, "WatchJob", *request);
 }
 
 grpc::ServerWriteReactor<v1::StreamResultsResponse>* CeltService::StreamResults(
-    grpc::CallbackServerContext* /*context*/, const v1::StreamResultsRequest* request) {
-  scheduler_.Wake(request->id()).IgnoreError();
-  const auto stream = std::make_shared<ResultStream>(store_, *request);
-  return stream->Begin(streams_, scheduler_.notifier(), request->id());
+    grpc::CallbackServerContext* context, const v1::StreamResultsRequest* request) {
+  return Begin<ResultStream, v1::StreamResultsResponse>(context, "StreamResults", *request);
 }
 
 grpc::ServerUnaryReactor* CeltService::GetInfo(grpc::CallbackServerContext* context,
                                                const v1::GetInfoRequest* /*request*/,
                                                v1::GetInfoResponse* response) {
-  *response = MakeInfo(scheduler_.workers());
-  return Answer(context, absl::OkStatus());
+  return Answer(context, "GetInfo", response,
+                [&](const auth::Identity&) -> absl::StatusOr<v1::GetInfoResponse> {
+                  return MakeInfo(scheduler_.workers());
+                });
 }
 
 }  // namespace celt::api

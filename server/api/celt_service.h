@@ -1,23 +1,36 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <utility>
+
 #include "absl/status/status.h"
 #include "celt/v1/celt.grpc.pb.h"
+#include "server/api/call.h"
 #include "server/api/open_streams.h"
+#include "server/auth/gate.h"
 #include "server/jobs/scheduler.h"
 #include "server/jobs/store.h"
 #include "server/plans/limits.h"
 
 namespace celt::api {
 
+struct ServiceOptions {
+  plans::SpecLimits limits;
+  OnCall on_call = [](const CallDone&) {};
+};
+
 /// The service celt.v1.Celt on a job store and a scheduler: parses, delegates, converts. Never
-/// blocks a thread of gRPC for longer than the store takes to answer.
+/// blocks a thread of gRPC for longer than the store takes to answer. A job of another owner is as
+/// good as none.
 class CeltService final : public v1::Celt::CallbackService {
  public:
-  /// Both must outlive this, and this the server that it is registered with.
-  CeltService(const jobs::JobStore& store, jobs::Scheduler& scheduler,
-              const plans::SpecLimits& limits)
-      : store_(store), scheduler_(scheduler), limits_(limits) {}
+  /// All must outlive this, and this the server that it is registered with.
+  CeltService(const jobs::JobStore& store, jobs::Scheduler& scheduler, const auth::Gate& gate,
+              ServiceOptions options)
+      : store_(store), scheduler_(scheduler), gate_(gate), options_(std::move(options)) {}
 
+  std::int64_t open_streams() { return streams_.size(); }
   /// Ends all streams, now and in future, with UNAVAILABLE: clients come back later.
   void EndStreams();
 
@@ -44,12 +57,25 @@ class CeltService final : public v1::Celt::CallbackService {
                                     v1::GetInfoResponse* response) override;
 
  private:
-  absl::StatusOr<v1::Job> Submit(const v1::SubmitJobRequest& request);
-  absl::StatusOr<v1::ListJobsResponse> List(const v1::ListJobsRequest& request) const;
+  /// Answers with what `work` gives for the caller.
+  template <class Message, class Work>
+  grpc::ServerUnaryReactor* Answer(grpc::CallbackServerContext* context, std::string_view method,
+                                   Message* response, Work work);
+  /// Begins a stream about a job of the caller's.
+  template <class Stream, class Message, class Request>
+  grpc::ServerWriteReactor<Message>* Begin(grpc::CallbackServerContext* context,
+                                           std::string_view method, const Request& request);
+
+  absl::StatusOr<v1::Job> Submit(const auth::Identity& who, const v1::SubmitJobRequest& request);
+  absl::StatusOr<v1::ListJobsResponse> List(const auth::Identity& who,
+                                            const v1::ListJobsRequest& request) const;
+  /// The job if the caller may know of it. NOT_FOUND otherwise.
+  absl::StatusOr<jobs::Job> Own(const auth::Identity& who, const std::string& id) const;
 
   const jobs::JobStore& store_;
   jobs::Scheduler& scheduler_;
-  const plans::SpecLimits limits_;
+  const auth::Gate& gate_;
+  const ServiceOptions options_;
   OpenStreams streams_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -55,6 +56,11 @@ class JobStream : public grpc::ServerWriteReactor<Message>,
     streams.Add(self_);
     Proceed();
     return this;
+  }
+
+  /// Called once, when the stream ends from this side. To be set before anything else.
+  void set_on_finish(std::function<void(const absl::Status&)> on_finish) {
+    on_finish_ = std::move(on_finish);
   }
 
   void End(const absl::Status& why) override {
@@ -134,6 +140,7 @@ class JobStream : public grpc::ServerWriteReactor<Message>,
     }
     subscription_.End();
     alarm_.reset();
+    if (on_finish_) on_finish_(status);
     grpc::ServerWriteReactor<Message>::Finish(ToGrpc(status));
   }
 
@@ -151,6 +158,7 @@ class JobStream : public grpc::ServerWriteReactor<Message>,
     Proceed();
   }
 
+  std::function<void(const absl::Status&)> on_finish_;
   std::shared_ptr<JobStream> self_;  // gRPC's hold on this
   OpenStreams* streams_ = nullptr;
   jobs::Notifier::Subscription subscription_;

@@ -23,6 +23,7 @@ void SetTime(absl::Time time, google::protobuf::Timestamp& timestamp) {
 
 void FillState(const jobs::Job& job, v1::Job& message) {
   message.set_id(job.id);
+  message.set_owner(job.owner);
   message.set_state(static_cast<v1::Job::State>(job.state));
   v1::Progress& progress = *message.mutable_progress();
   progress.set_done(job.work_done);

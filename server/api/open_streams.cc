@@ -17,6 +17,11 @@ void OpenStreams::Remove(const std::shared_ptr<Endable>& stream) {
   streams_.erase(stream);
 }
 
+std::int64_t OpenStreams::size() {
+  const std::lock_guard lock(mutex_);
+  return std::ssize(streams_);
+}
+
 void OpenStreams::EndAll(const absl::Status& why) {
   std::set<std::shared_ptr<Endable>> streams;
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -22,6 +23,7 @@ class OpenStreams {
   /// Ends the stream at once when EndAll was called before.
   void Add(const std::shared_ptr<Endable>& stream);
   void Remove(const std::shared_ptr<Endable>& stream);
+  std::int64_t size();
   /// Ends all, now and in future.
   void EndAll(const absl::Status& why);
 

@@ -28,7 +28,9 @@ std::string Shorten(std::string text) {
 std::string FieldOf(const std::string& message) {
   const std::size_t end = message.find_first_not_of(
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]");
-  if (end == std::string::npos || end == 0 || message[end] != ':') return "";
+  // "l, l_over_g: …" is about several; the first stands for them.
+  const bool list = end != std::string::npos && message[end] == ',';
+  if (end == std::string::npos || end == 0 || (message[end] != ':' && !list)) return "";
   return message.substr(0, end);
 }
 

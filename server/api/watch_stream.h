@@ -14,7 +14,8 @@ namespace celt::api {
 /// now and then.
 class WatchStream final : public JobStream<v1::Job> {
  public:
-  WatchStream(const jobs::JobStore& store, std::string id) : store_(store), id_(std::move(id)) {}
+  WatchStream(const jobs::JobStore& store, const v1::WatchJobRequest& request)
+      : store_(store), id_(request.id()) {}
 
  private:
   using Step = Next<v1::Job>;

@@ -6,8 +6,8 @@
 #include "absl/strings/string_view.h"
 #include "grpcpp/ext/proto_server_reflection_plugin.h"
 #include "grpcpp/health_check_service_interface.h"
-#include "grpcpp/security/server_credentials.h"
 #include "grpcpp/server_builder.h"
+#include "server/host/credentials.h"
 #include "server/jobs/status_macros.h"
 #include "server/plans/engine_version.h"
 #include "server/plans/factory.h"
@@ -16,6 +16,7 @@ namespace celt::host {
 namespace {
 
 constexpr const char* kServiceName = "celt.v1.Celt";
+constexpr absl::Duration kBetweenKeeping = absl::Minutes(1);
 constexpr int kLargestRequest = 1 << 20;
 // Tighter pings would cut off live clients on slow lines.
 constexpr int kKeepaliveMilliseconds = 60'000;
@@ -46,51 +47,121 @@ std::string WithPort(const std::string& listen, int port) {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Host>> Host::Start(HostOptions options) {
-  std::unique_ptr<Host> host(new Host);
-  CELT_RETURN_IF_ERROR(host->OpenStore(options));
-  jobs::SchedulerOptions scheduling;
-  scheduling.workers = options.workers;
-  scheduling.engine_version = plans::kEngineVersion;
-  scheduling.limits = options.job_limits;
-  scheduling.on_demand = options.on_demand;
-  scheduling.on_error = std::move(options.on_error);
+  std::unique_ptr<Host> host(new Host(std::move(options)));
+  CELT_RETURN_IF_ERROR(host->OpenGate());
+  CELT_RETURN_IF_ERROR(host->OpenStore());
   host->scheduler_ =
-      std::make_unique<jobs::Scheduler>(*host->store_, plans::MakePlan, std::move(scheduling));
-  host->service_ =
-      std::make_unique<api::CeltService>(*host->store_, *host->scheduler_, options.spec_limits);
+      std::make_unique<jobs::Scheduler>(*host->store_, plans::MakePlan, host->Scheduling());
+  host->service_ = std::make_unique<api::CeltService>(*host->store_, *host->scheduler_,
+                                                      *host->gate_, host->Serving());
   CELT_RETURN_IF_ERROR(host->scheduler_->Start());
-  CELT_RETURN_IF_ERROR(host->StartServer(options.listen));
+  CELT_RETURN_IF_ERROR(host->StartServer());
+  CELT_RETURN_IF_ERROR(host->StartHttp());
+  host->keeper_ = std::make_unique<Keeper>(
+      *host->store_, host->options_.retention, kBetweenKeeping,
+      [raw = host.get()](const absl::Status& error) { raw->options_.on_error("", error); });
   return host;
 }
 
-absl::Status Host::OpenStore(const HostOptions& options) {
+absl::Status Host::OpenGate() {
+  const Keys& keys = options_.keys;
+  std::unique_ptr<auth::TokenFile> tokens;
+  if (!keys.tokens.empty()) {
+    auth::TokenFile::Options reading;
+    reading.on_error = [this](const absl::Status& error) { options_.on_error("", error); };
+    CELT_ASSIGN_OR_RETURN(tokens, auth::TokenFile::Open(keys.tokens, std::move(reading)));
+  }
+  gate_ = std::make_unique<auth::Gate>(std::move(tokens), !keys.client_ca.empty());
+  return absl::OkStatus();
+}
+
+absl::Status Host::OpenStore() {
   std::string path = ":memory:";
-  if (!options.data_dir.empty()) {
-    CELT_ASSIGN_OR_RETURN(data_dir_, jobs::DataDir::Lock(options.data_dir));
+  if (!options_.data_dir.empty()) {
+    CELT_ASSIGN_OR_RETURN(data_dir_, jobs::DataDir::Lock(options_.data_dir));
     path = data_dir_->StorePath();
   }
   CELT_ASSIGN_OR_RETURN(store_, jobs::SqliteStore::Open(path));
   return absl::OkStatus();
 }
 
-absl::Status Host::StartServer(const std::string& listen) {
+jobs::SchedulerOptions Host::Scheduling() {
+  jobs::SchedulerOptions scheduling;
+  scheduling.workers = options_.workers;
+  scheduling.engine_version = plans::kEngineVersion;
+  scheduling.limits = options_.job_limits;
+  scheduling.on_demand = options_.on_demand;
+  scheduling.on_error = [this](std::string_view job, const absl::Status& error) {
+    metrics_.CountStoreError();
+    options_.on_error(job, error);
+  };
+  scheduling.on_unit = [this](const jobs::UnitDone& unit) {
+    metrics_.CountUnit(unit.took, unit.work, unit.work_unit);
+  };
+  scheduling.on_end = options_.on_end;
+  return scheduling;
+}
+
+api::ServiceOptions Host::Serving() {
+  api::ServiceOptions serving;
+  serving.limits = options_.spec_limits;
+  serving.on_call = [this](const api::CallDone& call) {
+    metrics_.CountCall(call.method, call.status.code(), call.took);
+    options_.on_call(call);
+  };
+  return serving;
+}
+
+absl::Status Host::StartServer() {
   EnableStandardServices();
   grpc::ServerBuilder builder;
   Configure(builder);
+  const std::string& listen = options_.listen;
   int port = 0;
   if (!listen.empty()) {
-    builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &port);
+    CELT_ASSIGN_OR_RETURN(const auto credentials, CredentialsOf(options_.keys));
+    builder.AddListeningPort(listen, credentials, &port);
   }
   builder.RegisterService(service_.get());
   server_ = builder.BuildAndStart();
   if (server_ == nullptr || (!listen.empty() && port == 0)) {
     return absl::FailedPreconditionError(
         absl::StrCat("listen: can't listen on ", listen,
-                     ": the port is in use, or the address is not one of this machine"));
+                     ": the port is in use, or the address is not one of this machine, or the "
+                     "certificate and its key do not fit"));
   }
   if (!listen.empty()) address_ = WithPort(listen, port);
   server_->GetHealthCheckService()->SetServingStatus(kServiceName, true);
   return absl::OkStatus();
+}
+
+absl::Status Host::StartHttp() {
+  if (options_.http.empty()) return absl::OkStatus();
+  CELT_ASSIGN_OR_RETURN(
+      http_, metrics::HttpServer::Start(options_.http,
+                                        {.metrics = [this] { return metrics_.Text(Count()); },
+                                         .ready = [this] { return !scheduler_->stopping(); }}));
+  return absl::OkStatus();
+}
+
+metrics::Snapshot Host::Count() const {
+  static constexpr std::pair<jobs::JobState, const char*> kStates[] = {
+      {jobs::JobState::kQueued, "queued"},
+      {jobs::JobState::kRunning, "running"},
+      {jobs::JobState::kSucceeded, "succeeded"},
+      {jobs::JobState::kFailed, "failed"},
+      {jobs::JobState::kCancelled, "cancelled"}};
+  metrics::Snapshot snapshot;
+  if (const auto stats = store_->Stats(); stats.ok()) {
+    for (const auto& [state, name] : kStates) {
+      const auto found = stats->jobs.find(state);
+      snapshot.jobs[name] = found == stats->jobs.end() ? 0 : static_cast<double>(found->second);
+    }
+    snapshot.store_bytes = static_cast<double>(stats->bytes);
+  }
+  snapshot.active_jobs = static_cast<double>(scheduler_->active_jobs());
+  snapshot.streams = static_cast<double>(service_->open_streams());
+  return snapshot;
 }
 
 Host::~Host() { Drain(absl::ZeroDuration()); }

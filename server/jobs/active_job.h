@@ -22,6 +22,7 @@ struct Scheduler::ActiveJob {
             std::int64_t run_ahead)
       : id(job.id),
         owner(job.owner),
+        work_unit(job.work_unit),
         plan(std::move(its_plan)),
         queue(*plan, progress, run_ahead),
         started(job.state != JobState::kQueued),
@@ -31,6 +32,7 @@ struct Scheduler::ActiveJob {
 
   const std::string id;
   const std::string owner;
+  const std::string work_unit;
   const std::unique_ptr<Plan> plan;
   std::atomic<bool> stop = false;  ///< its units are to stop: it is cancelled, deleted or lost
 

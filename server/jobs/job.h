@@ -25,6 +25,7 @@ struct Job {
   double work_total = 0;
   double unit_seconds = 0;         ///< that its units have computed, one after the other
   std::string work_unit;           ///< plural, such as "iterates"
+  std::int64_t dropped = 0;        ///< records up to this one are no longer kept
   std::int64_t last_sequence = 0;  ///< of its records; 0 while there is none
   absl::Status error;              ///< not OK exactly when the state is kFailed
   std::string result;              ///< empty unless the state is kSucceeded

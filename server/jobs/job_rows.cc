@@ -40,6 +40,7 @@ JobRow ToJobRow(const Row& row) {
   job.started = TimeAt(row, column++);
   job.ended = TimeAt(row, column++);
   job.unit_seconds = row.Real(column++);
+  job.dropped = row.Int(column++);
   return result;
 }
 
@@ -74,7 +75,8 @@ absl::StatusOr<std::optional<JobRow>> FindSame(Database& database, const Job& jo
   CELT_RETURN_IF_ERROR(database.Query(
       "SELECT " CELT_JOB_COLUMNS
       " FROM jobs WHERE owner = ? AND specification = ? AND engine_version = ? "
-      "AND (state = 3 OR (? AND state IN (1, 2))) ORDER BY state DESC, serial DESC LIMIT 1",
+      "AND dropped = 0 AND (state = 3 OR (? AND state IN (1, 2))) ORDER BY state DESC, serial DESC "
+      "LIMIT 1",
       {std::string_view(job.owner), Blob{job.specification}, job.engine_version, unfinished},
       [&](const Row& row) {
         found = ToJobRow(row);

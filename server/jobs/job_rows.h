@@ -24,10 +24,10 @@ struct JobRow {
 #define CELT_JOB_COLUMNS                                                                   \
   "serial, id, owner, specification, engine_version, state, work_done, work_total, "       \
   "work_unit, last_sequence, error_code, error_message, result, created, started, ended, " \
-  "unit_seconds"
+  "unit_seconds, dropped"
 
 /// How many those are.
-inline constexpr int kJobColumns = 17;
+inline constexpr int kJobColumns = 18;
 
 JobRow ToJobRow(const Row& row);
 

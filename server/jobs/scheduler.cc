@@ -126,6 +126,11 @@ absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   return stored;
 }
 
+std::int64_t Scheduler::active_jobs() {
+  const std::lock_guard lock(mutex_);
+  return std::ssize(active_);
+}
+
 /// Whether there is room for a new job of the owner's.
 absl::Status Scheduler::Room(const std::string& owner) {
   const JobLimits& limits = options_.limits;

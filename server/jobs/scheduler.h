@@ -27,6 +27,14 @@ namespace celt::jobs {
 /// Twelve letters and digits at random: nobody guesses another's job.
 std::string RandomJobId();
 
+/// A unit that was computed and committed.
+struct UnitDone {
+  std::string_view job;
+  absl::Duration took;
+  double work = 0;  ///< in `work_unit`
+  std::string_view work_unit;
+};
+
 struct SchedulerOptions {
   int workers = 0;  ///< threads that compute; 0: as many as there are cores
   /// Answers of one version are the same bytes, so that a job that was begun by another begins
@@ -43,6 +51,10 @@ struct SchedulerOptions {
   /// a job that could not be gone on with.
   std::function<void(std::string_view job, const absl::Status& error)> on_error =
       [](std::string_view, const absl::Status&) {};
+  std::function<void(const UnitDone&)> on_unit = [](const UnitDone&) {};
+  /// Told of a job that has ended, and how.
+  std::function<void(std::string_view job, JobState state, const absl::Status& error)> on_end =
+      [](std::string_view, JobState, const absl::Status&) {};
   absl::Duration store_retry = absl::Seconds(1);  ///< pause before a failed commit is tried again
 };
 
@@ -93,6 +105,9 @@ class Scheduler {
   /// Tells of new records, states and progress, and of removal.
   Notifier& notifier() { return notifier_; }
   int workers() const { return workers_; }
+  /// Jobs that run or wait for a thread.
+  std::int64_t active_jobs();
+  bool stopping() const { return stopping_; }
 
  private:
   struct ActiveJob;

@@ -76,6 +76,7 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output, absl::Duration t
   ActiveJob& job = *task.job;
   std::unique_lock fold_lock(job.fold_mutex);
   if (job.lost || job.stop) return;
+  const double work = output.work;
   absl::StatusOr<UnitCommit> commit = job.fold.Add(task.position, std::move(output));
   if (!commit.ok()) {
     job.lost = true;
@@ -98,6 +99,7 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output, absl::Duration t
     List(task.job);
   }
   fold_lock.unlock();
+  options_.on_unit({job.id, took, work, job.work_unit});
   notifier_.Notify(job.id);
 }
 
@@ -179,7 +181,9 @@ absl::Status Scheduler::End(ActiveJob& job) {
   } else if (!job.cancelled) {
     return absl::OkStatus();  // Lost for this run: the store keeps it unfinished.
   }
-  return store_.MarkEnded(job.id, state, error, result, options_.clock());
+  CELT_RETURN_IF_ERROR(store_.MarkEnded(job.id, state, error, result, options_.clock()));
+  options_.on_end(job.id, state, error);
+  return absl::OkStatus();
 }
 
 }  // namespace celt::jobs

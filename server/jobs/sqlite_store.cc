@@ -8,6 +8,7 @@
 #include "server/jobs/page_token.h"
 #include "server/jobs/progress_rows.h"
 #include "server/jobs/request_rows.h"
+#include "server/jobs/retention_rows.h"
 #include "server/jobs/schema.h"
 #include "server/jobs/status_macros.h"
 
@@ -18,6 +19,11 @@ std::uint32_t StateBits(const JobFilter& filter) {
   std::uint32_t bits = 0;
   for (const JobState state : filter.states) bits |= 1U << static_cast<unsigned>(state);
   return bits;
+}
+
+Value OwnerOrNull(const JobFilter& filter) {
+  if (!filter.owner) return nullptr;
+  return std::string_view(*filter.owner);
 }
 
 absl::StatusOr<PageToken> FirstOrNext(const JobFilter& filter, std::string_view text) {
@@ -75,8 +81,9 @@ absl::StatusOr<JobPage> SqliteStore::List(const JobFilter& filter, int page_size
   CELT_RETURN_IF_ERROR(
       database_->Query("SELECT " CELT_JOB_COLUMNS
                        " FROM jobs WHERE serial < ?1 AND (?2 = 0 OR (?2 >> state) & 1) "
-                       "ORDER BY serial DESC LIMIT ?3",
-                       {from.before_serial, std::int64_t{from.states}, std::int64_t{page_size} + 1},
+                       "AND (?4 IS NULL OR owner = ?4) ORDER BY serial DESC LIMIT ?3",
+                       {from.before_serial, std::int64_t{from.states}, std::int64_t{page_size} + 1,
+                        OwnerOrNull(filter)},
                        [&](const Row& row) {
                          JobRow job = ToJobRow(row);
                          if (std::ssize(page.jobs) == page_size) {
@@ -107,6 +114,27 @@ absl::Status SqliteStore::Delete(std::string_view id) {
   CELT_RETURN_IF_ERROR(database_->Run("DELETE FROM jobs WHERE id = ?", {id}));
   if (database_->Changes() > 0) return absl::OkStatus();
   return absl::NotFoundError(absl::StrCat("id: there is no job ", std::string(id)));
+}
+
+absl::StatusOr<StoreStats> SqliteStore::Stats() const {
+  const std::lock_guard lock(mutex_);
+  StoreStats stats;
+  CELT_RETURN_IF_ERROR(
+      database_->Query("SELECT state, count(*) FROM jobs GROUP BY state", {}, [&](const Row& row) {
+        stats.jobs[static_cast<JobState>(row.Int(0))] = row.Int(1);
+        return true;
+      }));
+  CELT_ASSIGN_OR_RETURN(stats.bytes, UsedBytes(*database_));
+  return stats;
+}
+
+absl::StatusOr<bool> SqliteStore::Retain(const Retention& retention, absl::Time now) {
+  const std::lock_guard lock(mutex_);
+  Transaction transaction(*database_);
+  CELT_RETURN_IF_ERROR(transaction.Begin());
+  CELT_ASSIGN_OR_RETURN(const bool more, RetainSome(*database_, retention, now));
+  CELT_RETURN_IF_ERROR(transaction.Commit());
+  return more;
 }
 
 absl::Status SqliteStore::Restart(std::string_view id, std::int64_t engine_version) {
@@ -177,6 +205,11 @@ absl::StatusOr<std::vector<StoredRecord>> SqliteStore::Records(std::string_view 
                                                                std::size_t max_bytes) const {
   const std::lock_guard lock(mutex_);
   CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
+  if (after < row.job.dropped) {
+    return absl::OutOfRangeError(absl::StrCat("after_sequence: ", after,
+                                              " is too early; records up to ", row.job.dropped,
+                                              " were dropped, the job is to be submitted anew"));
+  }
   return ReadRecords(*database_, row.serial, after, max_bytes);
 }
 

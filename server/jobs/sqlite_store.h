@@ -25,6 +25,8 @@ class SqliteStore final : public JobStore {
   absl::StatusOr<std::vector<Job>> Unfinished() const override;
   absl::Status Delete(std::string_view id) override;
 
+  absl::StatusOr<StoreStats> Stats() const override;
+  absl::StatusOr<bool> Retain(const Retention& retention, absl::Time now) override;
   absl::Status Restart(std::string_view id, std::int64_t engine_version) override;
   absl::Status MarkStarted(std::string_view id, absl::Time now) override;
   absl::Status MarkEnded(std::string_view id, JobState state, const absl::Status& error,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +56,21 @@ struct Progress {
 enum class Reuse { kNothing, kAnswers, kAnswersAndUnfinished };
 
 struct JobFilter {
-  std::vector<JobState> states;  ///< empty: all
+  std::optional<std::string> owner;  ///< only theirs
+  std::vector<JobState> states;      ///< empty: all
+};
+
+/// What is kept of jobs that have ended.
+struct Retention {
+  absl::Duration records = absl::InfiniteDuration();  ///< of a job, from its end on
+  absl::Duration jobs = absl::InfiniteDuration();     ///< with their results
+  /// Above this size, records are dropped: those of the job that ended first are the first.
+  std::int64_t bytes = std::numeric_limits<std::int64_t>::max();
+};
+
+struct StoreStats {
+  std::map<JobState, std::int64_t> jobs;
+  std::int64_t bytes = 0;  ///< that are in use; the file may be larger
 };
 
 struct JobPage {
@@ -84,6 +100,12 @@ class JobStore {
 
   /// Makes a job that has not ended as if nothing of it had been computed, by another engine.
   virtual absl::Status Restart(std::string_view id, std::int64_t engine_version) = 0;
+  /// What is in the store.
+  virtual absl::StatusOr<StoreStats> Stats() const = 0;
+  /// Drops what need not be kept at `now`; does part of it at a time, so that others get their
+  /// turn: true when there is more to do.
+  virtual absl::StatusOr<bool> Retain(const Retention& retention, absl::Time now) = 0;
+
   virtual absl::Status MarkStarted(std::string_view id, absl::Time now) = 0;
   /// Ends the job, once: FAILED_PRECONDITION when it has ended already. Drops checkpoints and
   /// pending payloads.
@@ -94,7 +116,7 @@ class JobStore {
   virtual absl::StatusOr<Progress> LoadProgress(std::string_view id) const = 0;
 
   /// Records with a sequence number greater than `after`, in order, as many as fit into `max_bytes`
-  /// but at least one if there is any.
+  /// but at least one if there is any. OUT_OF_RANGE: some of them were dropped.
   virtual absl::StatusOr<std::vector<StoredRecord>> Records(std::string_view id, std::int64_t after,
                                                             std::size_t max_bytes) const = 0;
 };

@@ -12,6 +12,9 @@ namespace celt::plans {
 namespace {
 
 absl::Status ResolveSystem(const System& system, v1::System& spec) {
+  if (spec.parameters().contains("")) {
+    return absl::InvalidArgumentError("system.parameters: one of them has no name");
+  }
   CELT_ASSIGN_OR_RETURN(const Parameters resolved, system.Resolve(ToParameters(spec)));
   spec.set_name(std::string(system.name()));
   spec.mutable_parameters()->clear();

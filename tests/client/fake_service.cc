@@ -45,6 +45,11 @@ bool FakeService::fresh() const {
   return fresh_;
 }
 
+std::string FakeService::authorization() const {
+  const std::lock_guard lock(mutex_);
+  return authorization_;
+}
+
 bool FakeService::cancelled() const {
   const std::lock_guard lock(mutex_);
   return cancelled_;
@@ -55,11 +60,14 @@ std::vector<std::int64_t> FakeService::resumed_after() const {
   return resumed_after_;
 }
 
-grpc::Status FakeService::SubmitJob(grpc::ServerContext* /*context*/,
+grpc::Status FakeService::SubmitJob(grpc::ServerContext* context,
                                     const v1::SubmitJobRequest* request, v1::Job* response) {
   const std::lock_guard lock(mutex_);
   submitted_ = request->spec();
   fresh_ = request->fresh();
+  const auto shown = context->client_metadata().find("authorization");
+  const bool is_shown = shown != context->client_metadata().end();
+  authorization_ = is_shown ? std::string(shown->second.data(), shown->second.size()) : "";
   *response = job;
   return submit_status;
 }

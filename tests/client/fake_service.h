@@ -33,6 +33,8 @@ class FakeService final : public v1::Celt::Service {
   /// The specification last submitted.
   v1::JobSpec submitted() const;
   bool fresh() const;
+  /// The header "authorization" of the last submission.
+  std::string authorization() const;
   bool cancelled() const;
   /// after_sequence of each StreamResults, in order.
   std::vector<std::int64_t> resumed_after() const;
@@ -68,6 +70,7 @@ class FakeService final : public v1::Celt::Service {
   std::condition_variable changed_;
   v1::JobSpec submitted_;
   bool fresh_ = false;
+  std::string authorization_;
   bool cancelled_ = false;
   std::vector<std::int64_t> resumed_after_;
   std::string address_;

@@ -16,6 +16,7 @@ Outcome RunCelt(const std::vector<std::string>& arguments, const Surroundings& a
   environment.out_is_terminal = around.out_is_terminal;
   environment.progress_width = around.progress_width;
   environment.server = around.server;
+  environment.token = around.token;
   environment.state_dir = "/nonexistent";
   environment.interrupt = around.interrupt;
   environment.start_embedded = around.start_embedded;

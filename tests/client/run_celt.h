@@ -18,6 +18,7 @@ struct Outcome {
 /// What a run finds around it.
 struct Surroundings {
   std::string server = {};  ///< of CELT_SERVER
+  std::string token = {};   ///< of CELT_TOKEN
   bool out_is_terminal = false;
   int progress_width = 0;
   std::stop_token interrupt = {};

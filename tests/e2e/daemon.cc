@@ -6,19 +6,21 @@
 namespace celt {
 namespace {
 
-/// The address in the line that celtd says when it can be called.
-std::string AddressIn(const std::string& line) {
-  const std::string start = "listening on ";
+/// The address in a line that celtd says when it can be called.
+std::string AddressIn(const std::string& line, const std::string& start) {
   EXPECT_TRUE(line.starts_with(start)) << line;
   return line.starts_with(start) ? line.substr(start.size()) : "";
 }
 
 }  // namespace
 
-Daemon::Daemon(const std::string& data_dir, int workers, const std::string& listen)
-    : process_(CELTD_PROGRAM,
-               {"--listen", listen, "--data-dir", data_dir, "--workers", std::to_string(workers)}),
-      address_(AddressIn(process_.ReadLine())) {}
+Daemon::Daemon(const std::string& data_dir, int workers, const std::string& listen,
+               const std::vector<std::string>& more)
+    : process_(CELTD_PROGRAM, With({"--listen", listen, "--http", "127.0.0.1:0", "--data-dir",
+                                    data_dir, "--workers", std::to_string(workers)},
+                                   more)),
+      address_(AddressIn(process_.ReadLine(), "listening on ")),
+      http_(AddressIn(process_.ReadLine(), "http on ")) {}
 
 std::unique_ptr<v1::Celt::Stub> Daemon::Connect() const {
   grpc::ChannelArguments arguments;

@@ -14,12 +14,15 @@ namespace celt {
 /// A celtd on a free port of this machine, ready to be called.
 class Daemon {
  public:
-  /// `listen` other than a free port, to come back at the same address.
+  /// `listen` other than a free port, to come back at the same address; `more` arguments.
   explicit Daemon(const std::string& data_dir, int workers = 2,
-                  const std::string& listen = "127.0.0.1:0");
+                  const std::string& listen = "127.0.0.1:0",
+                  const std::vector<std::string>& more = {});
 
   /// "127.0.0.1:PORT".
   const std::string& address() const { return address_; }
+  /// The same, for metrics and probes.
+  const std::string& http() const { return http_; }
   Process& process() { return process_; }
   /// A stub with a connection of its own.
   std::unique_ptr<v1::Celt::Stub> Connect() const;
@@ -27,6 +30,7 @@ class Daemon {
  private:
   Process process_;
   std::string address_;
+  std::string http_;
 };
 
 /// A celt with a state folder of its own and no server in the environment.

@@ -33,6 +33,7 @@ class Process {
   std::string ReadLine();
   /// Closes our end of its standard output, as `head` does when it has enough.
   void CloseOutput();
+  pid_t pid() const { return pid_; }
   void Signal(int signal) const;
   /// Waits for its end; all that it wrote and was not read.
   Ended Wait();

@@ -27,6 +27,10 @@ class FaultyStore final : public JobStore {
   }
   absl::StatusOr<std::vector<Job>> Unfinished() const override { return store_.Unfinished(); }
   absl::Status Delete(std::string_view id) override { return store_.Delete(id); }
+  absl::StatusOr<StoreStats> Stats() const override { return store_.Stats(); }
+  absl::StatusOr<bool> Retain(const Retention& retention, absl::Time now) override {
+    return store_.Retain(retention, now);
+  }
   absl::Status Restart(std::string_view id, std::int64_t engine_version) override {
     const absl::Status fault = fault_("Restart");
     return fault.ok() ? store_.Restart(id, engine_version) : fault;

@@ -65,7 +65,7 @@ TEST_F(SqliteStoreTest, ListsOnlyTheStatesAskedFor) {
   for (const char* id : {"a", "b", "c"}) Add(id);
   ASSERT_TRUE(store_->MarkStarted("b", kNow).ok());
   ASSERT_TRUE(store_->MarkEnded("c", JobState::kCancelled, {}, "", kNow).ok());
-  const JobFilter filter{{JobState::kRunning, JobState::kCancelled}};
+  const JobFilter filter{std::nullopt, {JobState::kRunning, JobState::kCancelled}};
   const auto page = store_->List(filter, 1, "");
   EXPECT_THAT(Ids(page->jobs), ElementsAre("c"));
   EXPECT_THAT(Ids(store_->List(filter, 1, page->next_page_token)->jobs), ElementsAre("b"));
@@ -76,7 +76,7 @@ TEST_F(SqliteStoreTest, RefusesTokensThatAreNotItsOwn) {
   Add("b");
   EXPECT_TRUE(absl::IsInvalidArgument(store_->List({}, 1, "nonsense").status()));
   const std::string token = store_->List({}, 1, "")->next_page_token;
-  const JobFilter other{{JobState::kRunning}};
+  const JobFilter other{std::nullopt, {JobState::kRunning}};
   EXPECT_TRUE(absl::IsInvalidArgument(store_->List(other, 1, token).status()));
 }
 
