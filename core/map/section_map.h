@@ -13,8 +13,8 @@
 namespace celt {
 
 /// The Poincaré map of the Celtic stone on the section g = g₀, crossed with g increasing (or, if
-/// the engine is made so, decreasing), of a level H = E of energy. Coordinates x = (l, L/G, H/G) in the body frame, l in [0, 2π) [rad];
-/// core/model/andoyer.h says what they are.
+/// the engine is made so, decreasing), of a level H = E of energy. Coordinates x = (l, L/G, H/G) in
+/// the body frame, l in [0, 2π) [rad]; core/model/andoyer.h says what they are.
 ///
 /// A point is lifted to (M, γ), carried to its next crossing by a SectionEngine, and projected. The
 /// Jacobian is
@@ -33,8 +33,8 @@ namespace celt {
 /// and without then agrees within the error only. By the fast engine it is the same to the last
 /// bit.
 ///
-/// A start at which g goes the other way is carried to its first crossing like any other, but is the image
-/// of no point: there the map has no inverse.
+/// A start at which g goes the other way is carried to its first crossing like any other, but is
+/// the image of no point: there the map has no inverse.
 ///
 /// INVALID_ARGUMENT of Apply and AdvanceAll: a start that is no point of g = g₀ in the level
 /// (outside the coordinates' range, empty level, γ₃ = 0). OUT_OF_RANGE: the orbit of a good start
