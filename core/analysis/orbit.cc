@@ -125,7 +125,7 @@ absl::Status AdvanceOrbit(const CelticStone& stone, StoneOrbit& orbit, const Orb
   const double start_time = TimeOf(orbit.record, options);
   for (std::int64_t i = 0; i < records && !orbit.ended; ++i) {
     const double stop = Sign(options) * (TimeOf(orbit.record + 1, options) - start_time);
-    const absl::Status status = StepTo(**stepper, stop, Sign(options) * start_time);
+    absl::Status status = StepTo(**stepper, stop, Sign(options) * start_time);
     if (!status.ok()) return status;
     orbit.state = UnpackRolling((*stepper)->state());
     ++orbit.record;
