@@ -1,5 +1,5 @@
-// For libFuzzer: cmake --preset fuzz && cmake --build --preset fuzz &&
-// build/fuzz/tests/fuzz/celt_fuzz tests/fuzz/corpus
+// The entry for libFuzzer, in a build by Clang with -fsanitize=fuzzer. In every build the corpus
+// beside it is run by corpus_test.cc.
 
 #include <cstddef>
 #include <cstdint>
