@@ -56,7 +56,7 @@ HttpServer::~HttpServer() {
 }
 
 absl::StatusOr<std::unique_ptr<HttpServer>> HttpServer::Start(const std::string& listen,
-                                                              Pages pages) {
+                                                              const Pages& pages) {
   std::unique_ptr<HttpServer> made(new HttpServer);
   httplib::Server& server = made->impl_->server;
   Configure(server, pages);

@@ -20,7 +20,8 @@ struct Pages {
 class HttpServer {
  public:
   /// `listen` is "host:port", port 0 for a free one. FAILED_PRECONDITION: nothing can listen there.
-  static absl::StatusOr<std::unique_ptr<HttpServer>> Start(const std::string& listen, Pages pages);
+  static absl::StatusOr<std::unique_ptr<HttpServer>> Start(const std::string& listen,
+                                                           const Pages& pages);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
