@@ -1,5 +1,6 @@
 // What a server is told, what it tells of itself, and how it goes.
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <string>
@@ -141,6 +142,25 @@ TEST_F(ServerTest, ASecondSignalEndsItAtOnce) {
   stalled.AwaitDraining();
   daemon.process().Signal(SIGTERM);
   EXPECT_EQ(daemon.process().Wait().code, 128 + SIGTERM);
+}
+
+/// More of a log than a pipe holds, which nobody reads.
+TEST_F(ServerTest, WorksOnWhileNobodyReadsItsLog) {
+  Daemon daemon(directory_.path());
+  const auto stub = daemon.Connect();
+  for (int call = 0; call < 150; ++call) {
+    grpc::ClientContext context;
+    // Met only by a server that hangs.
+    context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(60));
+    v1::GetJobRequest request;
+    request.set_id(std::string(2000, 'x'));
+    v1::Job job;
+    ASSERT_EQ(stub->GetJob(&context, request, &job).error_code(), grpc::StatusCode::NOT_FOUND);
+  }
+  daemon.process().Signal(SIGTERM);
+  const Ended ended = daemon.process().Wait();
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_LE(ended.err.size(), 65536 + 4096);
 }
 
 }  // namespace

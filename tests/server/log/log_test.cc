@@ -17,5 +17,14 @@ TEST(Log, LetsNobodyWriteALineOfTheirOwn) {
   EXPECT_EQ(AsJson("call", {{"request", "x\nfake line"}}).find('\n'), std::string::npos);
 }
 
+TEST(Log, CutsWhatIsLong) {
+  for (const char letter : {'x', '\n'}) {
+    const Fields fields = {{"error", std::string(1'000'000, letter)}};
+    EXPECT_LT(AsText("call", fields).size(), 1100);
+    EXPECT_LT(AsJson("call", fields).size(), 1100);
+    EXPECT_TRUE(AsText("call", fields).ends_with("...\""));
+  }
+}
+
 }  // namespace
 }  // namespace celt::log
