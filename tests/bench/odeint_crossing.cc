@@ -7,50 +7,22 @@
 #include "boost/numeric/odeint/stepper/generation/generation_runge_kutta_fehlberg78.hpp"
 #include "boost/numeric/odeint/stepper/generation/make_controlled.hpp"
 #include "boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp"
-// The very field that the fast engine has, hand-written tangents and all, one lane wide and
-// compiled for this machine.
-#include "core/integrate/fast/section_value-inl.h"
-#include "core/integrate/fast/stone_rate-inl.h"
-#include "hwy/highway.h"
+#include "tests/bench/fast_field.h"
+#include "tests/bench/momentum_field.h"
 
-HWY_BEFORE_NAMESPACE();
 namespace celt::bench {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using namespace fast::HWY_NAMESPACE;  // NOLINT: where the field is
-using One = Lanes<1>;
 
-template <int kTangents>
+template <class Equations, int kTangents>
 struct Field {
-  const OdeintProblem& problem;
-
-  void operator()(const OdeintState<kTangents>& x, OdeintState<kTangents>& rate, double) const {
-    One in[kComponents], out[kComponents], scale;
-    for (int i = 0; i < kComponents; ++i) in[i] = Set<One>(x[i]);
-    const Stride<One> unit{Set<One>(1), Set<One>(1), Set<One>(problem.gravity)};
-    Linearization<One> linear;
-    Rate<(kTangents > 0)>(problem.constants, unit, in, out, scale, linear);
-    const double over = 1 / hn::GetLane(scale);  // from scaled time to time
-    for (int i = 0; i < kComponents; ++i) rate[i] = over * hn::GetLane(out[i]);
-    for (int j = 1; j <= kTangents; ++j) {
-      for (int i = 0; i < kComponents; ++i) in[i] = Set<One>(x[j * kComponents + i]);
-      TangentRate(linear, in, out);
-      for (int i = 0; i < kComponents; ++i) {
-        rate[j * kComponents + i] = over * hn::GetLane(out[i]);
-      }
-    }
+  using State = OdeintState<Equations, kTangents>;
+  void operator()(const State& x, State& rate, double) const {
+    Rate<kTangents>(equations, x.data(), rate.data());
   }
+  const Equations& equations;
 };
-
-template <class State>
-SectionPlace<double> Place(const OdeintProblem& problem, const State& x) {
-  One in[kComponents];
-  for (int i = 0; i < kComponents; ++i) in[i] = Set<One>(x[i]);
-  const auto place =
-      Locate(problem.constants, problem.cosine, problem.sine, Set<One>(problem.gravity), in);
-  return {hn::GetLane(place.value), hn::GetLane(place.side)};
-}
 
 template <class State>
 State Moved(const State& x, const State& rate, double time) {
@@ -59,23 +31,24 @@ State Moved(const State& x, const State& rate, double time) {
   return moved;
 }
 
-/// From `last`, before the section, to it; `length` of the step that goes past.
-template <int kTangents>
-void Land(const OdeintProblem& problem, const OdeintState<kTangents>& last, double guess,
-          OdeintState<kTangents>& state, OdeintState<kTangents>& rate, double& time) {
+/// From `last`, before the section, to it, in a step of about `guess`.
+template <class Equations, int kTangents>
+void Land(const Equations& equations, const OdeintState<Equations, kTangents>& last, double guess,
+          OdeintState<Equations, kTangents>& state, OdeintState<Equations, kTangents>& rate,
+          double& time) {
   constexpr double kNear = 1e-7;  // of a step: Euler's is then exact
   constexpr double kProbe = 1e-7;
   constexpr int kMostPasses = 8;
-  const Field<kTangents> field{problem};
-  odeint::runge_kutta_fehlberg78<OdeintState<kTangents>> stepper;
+  const Field<Equations, kTangents> field{equations};
+  odeint::runge_kutta_fehlberg78<OdeintState<Equations, kTangents>> stepper;
   double length = guess;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     state = last;
     stepper.do_step(field, state, 0.0, length);
     field(state, rate, 0);
-    const double value = Place(problem, state).value;
-    const double slope = (Place(problem, Moved(state, rate, kProbe)).value - value) / kProbe;
-    const double rest = -value / slope;
+    const double value = PlaceOf(equations, state.data()).value;
+    const double ahead = PlaceOf(equations, Moved(state, rate, kProbe).data()).value;
+    const double rest = -value / ((ahead - value) / kProbe);
     if (std::abs(rest) < kNear * guess || pass + 1 == kMostPasses) {
       state = Moved(state, rate, rest);
       field(state, rate, 0);
@@ -88,13 +61,14 @@ void Land(const OdeintProblem& problem, const OdeintState<kTangents>& last, doub
 
 }  // namespace
 
-template <int kTangents>
-bool CrossByOdeint(const OdeintProblem& problem, OdeintState<kTangents>& state,
-                   OdeintState<kTangents>& rate, double& time) {
-  using State = OdeintState<kTangents>;
-  const Field<kTangents> field{problem};
-  auto stepper = odeint::make_controlled(problem.tolerance, problem.tolerance,
-                                         odeint::runge_kutta_fehlberg78<State>());
+template <class Equations, int kTangents>
+bool CrossByOdeint(const Equations& equations, double tolerance,
+                   OdeintState<Equations, kTangents>& state,
+                   OdeintState<Equations, kTangents>& rate, double& time) {
+  using State = OdeintState<Equations, kTangents>;
+  const Field<Equations, kTangents> field{equations};
+  auto stepper =
+      odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<State>());
   constexpr int kMostSteps = 20'000;
   double length = 0.01;
   double before = 0;
@@ -103,11 +77,11 @@ bool CrossByOdeint(const OdeintProblem& problem, OdeintState<kTangents>& state,
     const double start = time;
     while (stepper.try_step(field, state, time, length) != odeint::success) {
     }
-    const auto place = Place(problem, state);
+    const Place place = PlaceOf(equations, state.data());
     if (before < 0 && place.value >= 0 && place.side > 0) {
       const double guess = (time - start) * before / (before - place.value);
       time = start;
-      Land<kTangents>(problem, last, guess, state, rate, time);
+      Land<Equations, kTangents>(equations, last, guess, state, rate, time);
       return true;
     }
     before = place.value;
@@ -115,8 +89,20 @@ bool CrossByOdeint(const OdeintProblem& problem, OdeintState<kTangents>& state,
   return false;
 }
 
-template bool CrossByOdeint<0>(const OdeintProblem&, OdeintState<0>&, OdeintState<0>&, double&);
-template bool CrossByOdeint<3>(const OdeintProblem&, OdeintState<3>&, OdeintState<3>&, double&);
+template <class Equations, int kTangents>
+using State = OdeintState<Equations, kTangents>;
+
+template bool CrossByOdeint<FastEquations, 0>(const FastEquations&, double,
+                                              State<FastEquations, 0>&, State<FastEquations, 0>&,
+                                              double&);
+template bool CrossByOdeint<FastEquations, 3>(const FastEquations&, double,
+                                              State<FastEquations, 3>&, State<FastEquations, 3>&,
+                                              double&);
+template bool CrossByOdeint<MomentumEquations, 0>(const MomentumEquations&, double,
+                                                  State<MomentumEquations, 0>&,
+                                                  State<MomentumEquations, 0>&, double&);
+template bool CrossByOdeint<MomentumEquations, 3>(const MomentumEquations&, double,
+                                                  State<MomentumEquations, 3>&,
+                                                  State<MomentumEquations, 3>&, double&);
 
 }  // namespace celt::bench
-HWY_AFTER_NAMESPACE();

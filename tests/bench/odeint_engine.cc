@@ -7,48 +7,89 @@
 #include "tests/bench/odeint_crossing.h"
 
 namespace celt::bench {
+namespace {
+
+/// A state and its tangents as columns.
+template <class Form, int kTangents>
+using Columns = Eigen::Map<Eigen::Matrix<double, Form::kComponents, 1 + kTangents>>;
+
+}  // namespace
 
 void OdeintEngine::Run(CrossingFeed& feed, Direction direction, Derivative derivative) const {
   CrossingTask task;
   int ticket = 0;
   while (feed.Next(task, ticket)) {
     Crossing crossing;
-    absl::Status status = absl::UnimplementedError("odeint: forward only");
-    if (direction == Direction::kForward) {
-      status =
-          derivative == Derivative::kJacobian ? Cross<3>(task, crossing) : Cross<0>(task, crossing);
+    absl::Status status;
+    if (direction != Direction::kForward) {
+      status = absl::UnimplementedError("odeint: forward only");
+    } else if (!(derivative == Derivative::kJacobian ? Cross<3>(task, crossing)
+                                                     : Cross<0>(task, crossing))) {
+      status = absl::OutOfRangeError("odeint: no crossing");
     }
     feed.Done(ticket, status, crossing);
   }
 }
 
 template <int kTangents>
-absl::Status OdeintEngine::Cross(const CrossingTask& task, Crossing& crossing) const {
-  using Columns = Eigen::Map<Eigen::Matrix<double, 5, 1 + kTangents>>;
+bool OdeintEngine::Cross(const CrossingTask& task, Crossing& crossing) const {
+  return equations_ == Equations::kFast ? CrossByFast<kTangents>(task, crossing)
+                                        : CrossByMomentum<kTangents>(task, crossing);
+}
+
+template <int kTangents>
+bool OdeintEngine::CrossByMomentum(const CrossingTask& task, Crossing& crossing) const {
+  using State = OdeintState<MomentumEquations, kTangents>;
+  using InColumns = Columns<MomentumEquations, kTangents>;
+  State state{};
+  State rate{};
+  InColumns columns(state.data());
+  columns.col(0) = task.state;
+  if constexpr (kTangents > 0) columns.template rightCols<3>() = task.tangents;
+  const Eigen::Matrix3d& inertia = stone_.inertia();
+  const MomentumEquations equations{.stone = stone_.parameters(),
+                                    .inertia11 = inertia(0, 0),
+                                    .inertia12 = inertia(0, 1),
+                                    .inertia22 = inertia(1, 1),
+                                    .cosine = std::cos(section_angle_),
+                                    .sine = std::sin(section_angle_)};
+  if (!CrossByOdeint<MomentumEquations, kTangents>(equations, tolerance_, state, rate,
+                                                   crossing.time)) {
+    return false;
+  }
+  crossing.state = columns.col(0);
+  crossing.velocity = InColumns(rate.data()).col(0);
+  if constexpr (kTangents > 0) crossing.tangents = columns.template rightCols<3>();
+  return true;
+}
+
+template <int kTangents>
+bool OdeintEngine::CrossByFast(const CrossingTask& task, Crossing& crossing) const {
+  using State = OdeintState<FastEquations, kTangents>;
+  using InColumns = Columns<FastEquations, kTangents>;
   const double up = task.state[5] > 0 ? 1 : -1;
-  OdeintState<kTangents> state{};
-  OdeintState<kTangents> rate{};
+  State state{};
+  State rate{};
   const fast::FastState x = fast::FromMomentum(stone_, task.state);
-  Columns columns(state.data());
+  InColumns columns(state.data());
   columns.col(0) = x;
   if constexpr (kTangents > 0) {
     columns.template rightCols<3>() = fast::FromMomentum(stone_, x, up, task.tangents);
   }
-  const OdeintProblem problem{.constants = fast::StoneConstants(stone_),
-                              .gravity = up * stone_.parameters().gravity,
-                              .cosine = std::cos(section_angle_),
-                              .sine = std::sin(section_angle_),
-                              .tolerance = tolerance_};
-  if (!CrossByOdeint<kTangents>(problem, state, rate, crossing.time)) {
-    return absl::OutOfRangeError("odeint: no crossing");
+  const FastEquations equations{.constants = fast::StoneConstants(stone_),
+                                .gravity = up * stone_.parameters().gravity,
+                                .cosine = std::cos(section_angle_),
+                                .sine = std::sin(section_angle_)};
+  if (!CrossByOdeint<FastEquations, kTangents>(equations, tolerance_, state, rate, crossing.time)) {
+    return false;
   }
   const fast::Chart chart = fast::ToMomentum(stone_, columns.col(0), up);
   crossing.state = chart.state;
-  crossing.velocity = chart.derivative * Columns(rate.data()).col(0);
+  crossing.velocity = chart.derivative * InColumns(rate.data()).col(0);
   if constexpr (kTangents > 0) {
     crossing.tangents = chart.derivative * columns.template rightCols<3>();
   }
-  return absl::OkStatus();
+  return true;
 }
 
 }  // namespace celt::bench

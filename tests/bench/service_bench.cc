@@ -52,8 +52,9 @@ void Job(benchmark::State& state) {
   spec.mutable_lyapunov()->set_iterates(kIterates);
   spec.mutable_lyapunov()->set_transient(kTransient);
   for (auto _ : state) {
-    const auto job = scheduler.Submit(plans::Serialize(*plans::ResolveSpec(spec)), "");
-    while (!HasEnded(store->Get(job->id)->state)) {
+    const auto job = scheduler.Submit(
+        {.specification = plans::Serialize(*plans::ResolveSpec(spec)), .fresh = true});
+    while (!jobs::HasEnded(store->Get(job->id)->state)) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
   }

@@ -1,6 +1,7 @@
 #include "tests/bench/table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_format.h"
@@ -53,21 +54,30 @@ std::string Ratio(double numerator, double denominator) {
   return denominator > 0 ? absl::StrFormat("%.3g", numerator / denominator) : "–";
 }
 
+/// The tools that are compared with, by name and as the table calls them.
+constexpr std::pair<const char*, const char*> kOthers[] = {
+    {"cvode", "SUNDIALS CVODE 6.4, Adams"},
+    {"arkode", "SUNDIALS ARKODE, 8(7)"},
+    {"odeint", "Boost.odeint 1.74, RKF7(8)"},
+    {"odeint-fast", "Boost.odeint, celt's equations"}};
+
+/// How many times longer than ours the others take.
 std::string Ratios(const Collector& runs) {
   const auto micros = [&runs](const char* name, Derivative derivative, int orbits) {
     return Best(runs, name, derivative, orbits).micros;
   };
+  const double alone = micros("fast", Derivative::kNone, 64);
   const double one = micros("fast", Derivative::kJacobian, 1);
   const double many = micros("fast", Derivative::kJacobian, 64);
-  const double odeint = micros("odeint", Derivative::kJacobian, 1);
-  return absl::StrCat(
-      "\nIn ratios: many orbits with tangents, an iterate takes ", Ratio(odeint, many),
-      " times less than one orbit of odeint's, ",
-      Ratio(micros("cvode", Derivative::kJacobian, 1), many),
-      " times less than CVODE's; one orbit, ", Ratio(odeint, one),
-      " times less than odeint's; the map alone, in lanes, ",
-      Ratio(micros("odeint", Derivative::kNone, 1), micros("fast", Derivative::kNone, 64)),
-      " times less.\n");
+  std::string text =
+      "\n| takes so many times as long as celt | map alone, by celt of 64 orbits | one orbit with "
+      "tangents | with tangents, by celt of 64 orbits |\n|---|---|---|---|\n";
+  for (const auto& [name, title] : kOthers) {
+    const double other = micros(name, Derivative::kJacobian, 1);
+    absl::StrAppend(&text, "| ", title, " | ", Ratio(micros(name, Derivative::kNone, 1), alone),
+                    " | ", Ratio(other, one), " | ", Ratio(other, many), " |\n");
+  }
+  return text;
 }
 
 std::string Service(const Collector& runs) {
@@ -117,9 +127,7 @@ std::string Table(const Collector& runs) {
   const auto best = [&runs](const char* name, Derivative derivative, int orbits) {
     return Best(runs, name, derivative, orbits);
   };
-  for (const auto& [name, title] : {std::pair("cvode", "SUNDIALS CVODE 6.4, Adams"),
-                                    std::pair("arkode", "SUNDIALS ARKODE, 8(7)"),
-                                    std::pair("odeint", "Boost.odeint 1.74, RKF7(8)")}) {
+  for (const auto& [name, title] : kOthers) {
     text += Row(title, best(name, Derivative::kNone, 1), best(name, Derivative::kJacobian, 1), {});
   }
   text += Row("celt, one orbit", best("fast", Derivative::kNone, 1),

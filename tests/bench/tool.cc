@@ -23,17 +23,24 @@ Engine EngineOf(const std::string& name) {
 
 const std::vector<Tool>& Tools() {
   static const std::vector<Tool> tools = {
-      {"fast", 1e-10},   {"fast", 1e-11},   {"fast", 1e-12},   {"odeint", 1e-9},  {"odeint", 3e-10},
-      {"odeint", 1e-10}, {"odeint", 3e-11}, {"odeint", 1e-11}, {"arkode", 3e-10}, {"arkode", 1e-10},
-      {"arkode", 1e-11}, {"cvode", 1e-12},  {"cvode", 3e-13},  {"cvode", 1e-13},  {"cvode", 3e-14}};
+      {"fast", 1e-10},        {"fast", 1e-11},        {"fast", 1e-12},
+      {"odeint", 1e-9},       {"odeint", 3e-10},      {"odeint", 1e-10},
+      {"odeint", 3e-11},      {"odeint", 1e-11},      {"odeint-fast", 1e-9},
+      {"odeint-fast", 3e-10}, {"odeint-fast", 1e-10}, {"odeint-fast", 3e-11},
+      {"odeint-fast", 1e-11}, {"arkode", 3e-10},      {"arkode", 1e-10},
+      {"arkode", 1e-11},      {"cvode", 1e-12},       {"cvode", 3e-13},
+      {"cvode", 1e-13},       {"cvode", 3e-14}};
   return tools;
 }
 
 std::unique_ptr<Map> MakeMap(const Tool& tool) {
-  if (tool.name == "odeint") {
+  if (tool.name.starts_with("odeint")) {
     const CelticStone stone{StoneParameters{}};
+    const Equations equations =
+        tool.name == "odeint-fast" ? Equations::kFast : Equations::kMomentum;
     return std::make_unique<SectionMap>(
-        stone, kEnergy, kAngle, std::make_unique<OdeintEngine>(stone, kAngle, tool.tolerance));
+        stone, kEnergy, kAngle,
+        std::make_unique<OdeintEngine>(stone, kAngle, tool.tolerance, equations));
   }
   return CelticStoneSystem()
       .MakeMap({}, {.tolerance = tool.tolerance, .engine = EngineOf(tool.name)})

@@ -10,7 +10,9 @@ namespace celt::bench {
 
 /// An integrator to measure: a name and a tolerance.
 struct Tool {
-  std::string name;  ///< "fast", "odeint", "arkode", "cvode"
+  /// "fast", "arkode", "cvode"; "odeint" with the equations as they stand in the literature,
+  /// "odeint-fast" with those of the fast engine.
+  std::string name;
   double tolerance = 0;
 };
 

@@ -6,7 +6,8 @@
 // Steps are kLongestStep (lanes.h) long in scaled time unless the error estimate objects: the
 // estimate, of an order less than the solution, swings over a factor of a thousand along an orbit
 // whose error per step hardly changes, and control by it takes a fifth more steps for the same
-// accuracy.
+// accuracy. Nearly all steps are then of the plain kind, that neither crosses nor is to change its
+// length, and what they need is found out for all lanes at once.
 #if defined(CELT_FAST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CELT_FAST_LANES_INL_H_
 #undef CELT_FAST_LANES_INL_H_
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
@@ -50,7 +52,7 @@ class Group {
   /// Gives idle lanes work, as far as there is some.
   void Fill(CrossingFeed& feed) {
     CrossingTask task;
-    for (int lane = 0; lane < kN; ++lane) {
+    for (int lane = 0; lane < kN && busy_ < kN; ++lane) {
       if (lanes_[lane].busy) continue;
       int ticket = 0;
       if (!feed.Next(task, ticket)) return;
@@ -61,11 +63,11 @@ class Group {
   /// Takes all lanes a step further.
   void Advance(CrossingFeed& feed) {
     StepAll();
+    AcceptPlain();
     for (int lane = 0; lane < kN; ++lane) {
-      accept_[lane] = 0;
-      if (lanes_[lane].busy) Settle(feed, lane);
+      if (accept_[lane] == 0 && lanes_[lane].busy) Settle(feed, lane);
     }
-    Accept();
+    MoveOn();
   }
 
  private:
@@ -84,10 +86,8 @@ class Group {
     bool busy = false;
     bool landing = false;  ///< the step goes to the section
     int ticket = 0;
-    int steps = 0;
     int passes = 0;  ///< steps to the section so far
     double up = 1;   ///< sign of γ₃
-    Look before{};   ///< at the start of the step; 0 at the start of all
   };
 
   /// An idle lane computes on, harmlessly.
@@ -96,6 +96,9 @@ class Group {
     PutOrbit(lane, FastState::Zero());
     if constexpr (kWithTangents) PutTangents(lane, FastTangents::Zero());
     start_.time[lane] = 0;
+    steps_[lane] = 0;
+    start_value_[lane] = 0;
+    start_side_[lane] = 0;
     length_[lane] = direction_ * problem_.longest_step;
     gravity_[lane] = problem_.constants.gravity;
   }
@@ -144,17 +147,41 @@ class Group {
     Store(Fma(spin_error, tilt, tilt_error * spin) /
               ((tilt * spin) * Set<V>(problem_.tolerance * problem_.tolerance)),
           ratio_);
+    Store(Load<V>(steps_) + one, steps_);
+  }
+
+  /// Accepts the steps of which Settle would say no more than that. In doubt, as where a number is
+  /// NaN, it leaves them to Settle.
+  void AcceptPlain() {
+    const V no = Set<V>(0);
+    V plain = Set<V>(1);
+    const auto at_most = [&](const V& a, const V& b)
+                             HWY_ATTR { plain = IfLessEqual(a, b, plain, no); };
+    at_most(Load<V>(ratio_), Set<V>(kCalm));
+    at_most(Set<V>(problem_.longest_step), Load<V>(length_) * Set<V>(direction_));
+    at_most(Load<V>(steps_), Set<V>(problem_.most_steps));
+    at_most(Load<V>(step_.end.time) * Set<V>(direction_), Set<V>(problem_.longest_time));
+    const V q1 = Load<V>(step_.end.values + 3 * kN), q2 = Load<V>(step_.end.values + 4 * kN);
+    at_most(Fma(q2, q2, q1 * q1), Set<V>(0.99 * kMostTilt));
+    const auto same_sign = [&](const double* a, const double* b) HWY_ATTR {
+      at_most(Set<V>(std::numeric_limits<double>::min()), Load<V>(a) * Load<V>(b));
+    };
+    same_sign(start_value_, middle_value_);
+    same_sign(middle_value_, end_value_);
+    same_sign(start_side_, middle_side_);
+    same_sign(middle_side_, end_side_);
+    Store(plain, accept_);
   }
 
   /// Decides what the step just taken means to a lane.
   void Settle(CrossingFeed& feed, int lane) {
     Lane& own = lanes_[lane];
     if (own.landing) return Land(feed, lane);
-    if (++own.steps > problem_.most_steps)
+    if (steps_[lane] > problem_.most_steps)
       return Lose(feed, lane, absl::StrCat("no crossing within ", problem_.most_steps, " steps"));
     if (!(ratio_[lane] <= 1)) return Shorten(feed, lane);
 
-    const Look begin = own.before;
+    const Look begin{0, sense_ * start_value_[lane], start_side_[lane]};
     const Look middle{kNodes[kMiddleStage], sense_ * middle_value_[lane], middle_side_[lane]};
     const Look end{1, sense_ * end_value_[lane], end_side_[lane]};
     if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
@@ -162,7 +189,6 @@ class Group {
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
     if (std::abs(step_.end.time[lane]) > problem_.longest_time)
       return Lose(feed, lane, "no crossing within the longest time");
-    own.before = {0, end.value, end.side};
     accept_[lane] = 1;
     const double now = std::abs(length_[lane]);
     if (now < problem_.longest_step || ratio_[lane] > kCalm) {
@@ -181,14 +207,16 @@ class Group {
     if (!(std::abs(length_[lane]) > kShortestStep)) Lose(feed, lane, "no step is accurate enough");
   }
 
-  /// Takes over the end of the step where it was accepted.
-  void Accept() {
+  /// Starts the next step at the end of this one, where it was accepted.
+  void MoveOn() {
     const V one = Set<V>(1);
     const V accept = Load<V>(accept_);
     const auto take = [&](const double* from, double* to) HWY_ATTR {
       Store(IfLessEqual(one, accept, Load<V>(from), Load<V>(to)), to);
     };
     take(step_.end.time, start_.time);
+    take(end_value_, start_value_);
+    take(end_side_, start_side_);
     if constexpr (Layout::kAlike) {
       for (int i = 0; i < Layout::kSize; i += kN) take(step_.end.values + i, start_.values + i);
     } else {
@@ -240,6 +268,7 @@ class Group {
   /// `part`.
   bool Approach(int lane, double part) {
     lanes_[lane].landing = true;
+    start_value_[lane] = 0;  // a step to the section is never a plain one
     length_[lane] *= part;
     return true;
   }
@@ -323,10 +352,14 @@ class Group {
   int busy_ = 0;
   Lane lanes_[kN];
   States<Layout> start_;
-  // Of each lane: the step, and what is known of its outcome.
+  // Of each lane: the steps so far, the step, and what is known of its outcome. The event's value
+  // and side are 0 at the start of all.
+  HWY_ALIGN double steps_[kN];
   HWY_ALIGN double length_[kN];
   HWY_ALIGN double gravity_[kN];
   HWY_ALIGN double ratio_[kN];  ///< square of the error over what is allowed
+  HWY_ALIGN double start_value_[kN];
+  HWY_ALIGN double start_side_[kN];
   HWY_ALIGN double middle_value_[kN];
   HWY_ALIGN double middle_side_[kN];
   HWY_ALIGN double end_value_[kN];
