@@ -16,6 +16,8 @@ namespace celt::host {
 namespace {
 
 constexpr const char* kServiceName = "celt.v1.Celt";
+/// What a job may compute before it counts as a long one.
+constexpr absl::Duration kExpress = absl::Seconds(1);
 constexpr absl::Duration kBetweenKeeping = absl::Minutes(1);
 constexpr int kLargestRequest = 1 << 20;
 // Tighter pings would cut off live clients on slow lines.
@@ -88,6 +90,8 @@ absl::Status Host::OpenStore() {
 jobs::SchedulerOptions Host::Scheduling() {
   jobs::SchedulerOptions scheduling;
   scheduling.workers = options_.workers;
+  // For a service of one question there is nobody who would wait.
+  scheduling.express = options_.on_demand ? absl::ZeroDuration() : kExpress;
   scheduling.engine_version = plans::kEngineVersion;
   scheduling.limits = options_.job_limits;
   scheduling.on_demand = options_.on_demand;

@@ -25,6 +25,7 @@ struct Scheduler::ActiveJob {
         work_unit(job.work_unit),
         plan(std::move(its_plan)),
         queue(*plan, progress, run_ahead),
+        computed(absl::Seconds(job.unit_seconds)),
         started(job.state != JobState::kQueued),
         fold(*plan, progress, job.work_done),
         unit_seconds(job.unit_seconds),
@@ -37,11 +38,13 @@ struct Scheduler::ActiveJob {
   std::atomic<bool> stop = false;  ///< its units are to stop: it is cancelled, deleted or lost
 
   UnitQueue queue;
-  int running = 0;         ///< its tasks that a thread has taken
-  bool listed = false;     ///< it is in listed_
-  bool started = false;    ///< somebody marks it as started in the store, or has
-  bool cancelled = false;  ///< its owner wants no more of it
-  bool closing = false;    ///< somebody ends it; nothing else may
+  int running = 0;           ///< its tasks that a thread has taken
+  absl::Duration computed;   ///< by its units, earlier runs included
+  absl::Duration last_took;  ///< by the latest of them
+  bool listed = false;       ///< it is in listed_
+  bool started = false;      ///< somebody marks it as started in the store, or has
+  bool cancelled = false;    ///< its owner wants no more of it
+  bool closing = false;      ///< somebody ends it; nothing else may
 
   std::mutex fold_mutex;
   Fold fold;
@@ -55,7 +58,8 @@ struct Scheduler::ActiveJob {
 struct Scheduler::Task {
   JobPointer job;
   ChainPosition position;
-  bool first = false;  ///< the job's first since it was submitted
+  bool first = false;      ///< the job's first since it was submitted
+  absl::Duration charged;  ///< already to its job, for the time it is expected to take
 
   UnitId unit() const { return {position.next_step, position.chain}; }
 };

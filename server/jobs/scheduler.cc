@@ -54,7 +54,10 @@ absl::Status Scheduler::Start() {
     for (const Job& job : unfinished) CELT_RETURN_IF_ERROR(Resume(job));
   }
   const std::lock_guard lock(shutdown_mutex_);
-  for (int i = 0; i < workers_; ++i) threads_.emplace_back([this] { Work(); });
+  for (int i = 0; i < workers_; ++i) threads_.emplace_back([this] { Work(Lane::kAny); });
+  if (options_.express > absl::ZeroDuration()) {
+    threads_.emplace_back([this] { Work(Lane::kExpress); });
+  }
   return absl::OkStatus();
 }
 
@@ -96,6 +99,7 @@ void Scheduler::Shutdown() {
     stopping_ = true;
   }
   listed_or_stopping_.notify_all();
+  express_or_stopping_.notify_all();
   give_up_.notify_all();
   const std::lock_guard lock(shutdown_mutex_);
   for (std::thread& thread : threads_) thread.join();
@@ -146,9 +150,10 @@ absl::Status Scheduler::Room(const std::string& owner) {
 }
 
 /// Under mutex_.
-void Scheduler::Deactivate(const ActiveJob& job) {
-  if (active_.erase(job.id) == 0) return;
-  const auto own = unfinished_.find(job.owner);
+void Scheduler::Deactivate(const JobPointer& job) {
+  if (active_.erase(job->id) == 0) return;
+  listed_.Forget(job->owner, job);
+  const auto own = unfinished_.find(job->owner);
   if (--own->second == 0) unfinished_.erase(own);
 }
 

@@ -37,6 +37,9 @@ struct UnitDone {
 
 struct SchedulerOptions {
   int workers = 0;  ///< threads that compute; 0: as many as there are cores
+  /// One thread more, for jobs that have computed less than that, are not being computed, and find
+  /// every worker busy: a short one need not wait for a long one's unit to end. 0: none.
+  absl::Duration express = absl::ZeroDuration();
   /// Answers of one version are the same bytes, so that a job that was begun by another begins
   /// anew.
   std::int64_t engine_version = 0;
@@ -66,10 +69,10 @@ struct Submission {
   bool fresh = false;  ///< compute, although the answer may be in the store
 };
 
-/// Runs jobs on a pool of threads. Owners take turns, and units of an owner's jobs do; within a job
-/// the lowest ready unit in the plan's order goes first. Payloads are folded in the plan's order
-/// and committed with their unit, so that records and result do not depend on threads or
-/// interruptions. Safe to use from many threads.
+/// Runs jobs on a pool of threads. Owners share its time evenly, and an owner's jobs do, however
+/// long their units are; within a job the lowest ready unit in the plan's order goes first.
+/// Payloads are folded in the plan's order and committed with their unit, so that records and
+/// result do not depend on threads or interruptions. Safe to use from many threads.
 ///
 /// A job whose unit fails becomes FAILED once everything before that unit is folded; which unit's
 /// error it shows, and its records, are therefore always the same.
@@ -112,17 +115,20 @@ class Scheduler {
  private:
   struct ActiveJob;
   struct Task;
+  enum class Lane { kAny, kExpress };  // which jobs a thread is for
   using JobPointer = std::shared_ptr<ActiveJob>;
 
   absl::Status Resume(Job job);
   absl::Status WakeUnderMutex(std::string_view id);
   absl::Status Room(const std::string& owner);
-  void Deactivate(const ActiveJob& job);
+  void Deactivate(const JobPointer& job);
   absl::Status CancelSleeping(std::string_view id);
   void Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress);
 
-  void Work();
-  bool TakeTask(Task& task);
+  void Work(Lane lane);
+  bool TakeTask(Lane lane, Task& task);
+  void TakeUnit(const JobPointer& job, Task& task);
+  bool HasTurn(Lane lane, const JobPointer& job) const;
   void List(const JobPointer& job);
   void RunTask(const Task& task);
   void CommitUnit(const Task& task, UnitOutput output, absl::Duration took);
@@ -145,11 +151,13 @@ class Scheduler {
   std::mutex activation_mutex_;  // held from the look at the store until the job is active
   std::atomic<bool> stopping_ = false;
   std::mutex mutex_;
-  std::condition_variable listed_or_stopping_;  // what workers wait for
+  std::condition_variable listed_or_stopping_;   // what workers wait for
+  std::condition_variable express_or_stopping_;  // what the express thread waits for
   std::condition_variable give_up_;  // what a pause before trying the store again waits for
   std::map<std::string, JobPointer, std::less<>> active_;  // under mutex_
   std::map<std::string, std::int64_t> unfinished_;         // jobs by owner; under mutex_
   Turns<JobPointer> listed_;                               // jobs with a ready unit; under mutex_
+  int busy_ = 0;                                           // workers with a task; under mutex_
   std::vector<std::thread> threads_;                       // under shutdown_mutex_
   std::mutex shutdown_mutex_;
 };

@@ -1,6 +1,7 @@
 // The part of the scheduler that its threads run: take a unit, run it, commit it, end the job after
 // the last.
 
+#include <algorithm>
 #include <utility>
 
 #include "absl/strings/str_cat.h"
@@ -17,14 +18,20 @@ bool IsFinal(const absl::Status& error) {
   return absl::IsNotFound(error) || absl::IsFailedPrecondition(error) || absl::IsDataLoss(error);
 }
 
+/// What a unit counts for at least, so that jobs of none but the shortest units take turns too.
+constexpr absl::Duration kShortest = absl::Microseconds(1);
+
 }  // namespace
 
-void Scheduler::Work() {
+void Scheduler::Work(Lane lane) {
   Task task;
-  while (TakeTask(task)) {
+  while (TakeTask(lane, task)) {
     RunTask(task);
     Settle(task.job);
     task = Task();
+    if (lane == Lane::kExpress) continue;
+    const std::lock_guard lock(mutex_);
+    --busy_;
   }
 }
 
@@ -34,24 +41,48 @@ void Scheduler::List(const JobPointer& job) {
   job->listed = true;
   listed_.Push(job->owner, job);
   listed_or_stopping_.notify_one();
+  express_or_stopping_.notify_one();
+}
+
+/// Whether a thread of that lane may take a unit of a listed job. Under mutex_.
+bool Scheduler::HasTurn(Lane lane, const JobPointer& job) const {
+  if (lane == Lane::kAny) return true;
+  return busy_ == workers_ && job->running == 0 && job->computed < options_.express;
 }
 
 /// Waits for a unit; false when it is time to stop.
-bool Scheduler::TakeTask(Task& task) {
+bool Scheduler::TakeTask(Lane lane, Task& task) {
+  std::condition_variable& changed =
+      lane == Lane::kExpress ? express_or_stopping_ : listed_or_stopping_;
   std::unique_lock lock(mutex_);
-  for (;;) {
-    listed_or_stopping_.wait(lock, [this] { return stopping_ || !listed_.empty(); });
-    if (stopping_) return false;
-    const JobPointer job = listed_.Pop();
+  while (!stopping_) {
+    const auto next = listed_.Pop([&](const JobPointer& job) { return HasTurn(lane, job); });
+    if (!next) {
+      changed.wait(lock);
+      continue;
+    }
+    const JobPointer& job = *next;
     job->listed = false;
     if (job->stop || job->closing || !job->queue.HasReady()) continue;
-    task.position = job->queue.Take();
-    task.first = !std::exchange(job->started, true);
-    ++job->running;
-    List(job);
-    task.job = job;
+    if (lane == Lane::kAny) ++busy_;
+    TakeUnit(job, task);
     return true;
   }
+  return false;
+}
+
+/// Under mutex_.
+void Scheduler::TakeUnit(const JobPointer& job, Task& task) {
+  task.job = job;
+  task.position = job->queue.Take();
+  task.first = !std::exchange(job->started, true);
+  ++job->running;
+  // As long as the last one, until it is known.
+  task.charged = std::max(job->last_took, kShortest);
+  listed_.Charge(job->owner, job, absl::ToDoubleSeconds(task.charged));
+  List(job);
+  // One of those that wait on may be in a hurry, now that no worker is free.
+  express_or_stopping_.notify_one();
 }
 
 void Scheduler::RunTask(const Task& task) {
@@ -90,6 +121,10 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output, absl::Duration t
   }
   {
     const std::lock_guard lock(mutex_);
+    job.computed += took;
+    job.last_took = took;
+    listed_.Charge(job.owner, task.job,
+                   absl::ToDoubleSeconds(std::max(took, kShortest) - task.charged));
     job.queue.Done(std::move(commit->position), commit->fold_next, commit->folded);
     if (const absl::Status limit = CheckLimits(job); !limit.ok() && !job.queue.Complete()) {
       job.queue.Failed(commit->fold_next, limit);
@@ -161,7 +196,7 @@ void Scheduler::Close(const JobPointer& job) {
   Persist(*job, [&] { return End(*job); }).IgnoreError();
   {
     const std::lock_guard lock(mutex_);
-    Deactivate(*job);
+    Deactivate(job);
   }
   notifier_.Notify(job->id);
 }

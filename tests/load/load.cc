@@ -21,9 +21,10 @@ using Stub = v1::Celt::Stub;
 constexpr const char* kSmall = "system { name: 'henon3d' } lyapunov { iterates: 20000 orbits: 2 }";
 /// Several megabytes of stream.
 constexpr const char* kLarge = "system { name: 'henon3d' } section { iterates: 100000 }";
+/// Units of about a second, for hours.
 constexpr const char* kSweep =
-    "system { name: 'henon3d' } sweep { axes { parameter: 'm2' from: 0.8 to: 0.85 nodes: 1000000 } "
-    "lyapunov { iterates: 20000 orbits: 2 } }";
+    "sweep { axes { parameter: 'energy' from: 749 to: 755 nodes: 1000000 } "
+    "lyapunov { iterates: 20000 orbits: 8 } }";
 
 double MillisecondsSince(Clock::time_point began) {
   return std::chrono::duration<double, std::milli>(Clock::now() - began).count();

@@ -86,22 +86,25 @@ TEST(Scheduler, RunsTheUnitsOfAJobInThePlansOrder) {
   EXPECT_THAT(units, ElementsAre(UnitId{0, 0}, UnitId{0, 1}, UnitId{1, 0}, UnitId{1, 1}));
 }
 
-TEST(Scheduler, LetsJobsTakeTurns) {
+TEST(Scheduler, LetsJobsShareTime) {
   absl::Notification both_submitted;
   std::string turns;
-  Toy a{.chains = 1, .steps = 4};
-  a.on_run = [&](UnitId, const StopRequested&) {
-    both_submitted.WaitForNotification();
-    turns += 'a';
-    return absl::OkStatus();
-  };
-  Toy b = a;
-  b.on_run = [&](UnitId, const StopRequested&) {
-    turns += 'b';
-    return absl::OkStatus();
+  std::atomic<int> seconds = 0;
+  const auto taking = [&](char name, int its_seconds) {
+    Toy toy{.chains = 1, .steps = 6 / its_seconds};
+    toy.on_run = [&turns, &seconds, &both_submitted, name, its_seconds](UnitId,
+                                                                        const StopRequested&) {
+      both_submitted.WaitForNotification();
+      turns += name;
+      seconds += its_seconds;
+      return absl::OkStatus();
+    };
+    return toy;
   };
   const auto store = MemoryStore();
-  Scheduler scheduler(*store, ToyFactory({{"a", a}, {"b", b}}), Workers(1));
+  SchedulerOptions options = Workers(1);
+  options.clock = [&] { return absl::FromUnixSeconds(seconds); };
+  Scheduler scheduler(*store, ToyFactory({{"a", taking('a', 3)}, {"b", taking('b', 1)}}), options);
   ASSERT_TRUE(scheduler.Start().ok());
   const std::string first = Submit(scheduler, "a");
   AwaitJob(scheduler, first, [&] { return store->Get(first)->state == JobState::kRunning; });
@@ -109,7 +112,33 @@ TEST(Scheduler, LetsJobsTakeTurns) {
   both_submitted.Notify();
   AwaitEnd(scheduler, *store, first);
   AwaitEnd(scheduler, *store, second);
-  EXPECT_EQ(turns, "abababab");
+  EXPECT_EQ(turns, "abbbabbb");
+}
+
+TEST(Scheduler, EndsAShortJobWhileAllWorkersAreInLongUnits) {
+  absl::Notification in_long_unit;
+  absl::Notification short_job_ended;
+  std::atomic<bool> waited_in_vain = false;
+  Toy long_toy{.chains = 1, .steps = 1};
+  long_toy.on_run = [&](UnitId, const StopRequested&) {
+    in_long_unit.Notify();
+    // Met only when the short job has to wait for this unit.
+    waited_in_vain = !short_job_ended.WaitForNotificationWithTimeout(absl::Seconds(20));
+    return absl::OkStatus();
+  };
+  const auto store = MemoryStore();
+  SchedulerOptions options = Workers(1);
+  options.express = absl::Seconds(1);
+  Scheduler scheduler(
+      *store, ToyFactory({{"long", long_toy}, {"short", {.chains = 2, .steps = 3}}}), options);
+  ASSERT_TRUE(scheduler.Start().ok());
+  const std::string long_job = Submit(scheduler, "long");
+  in_long_unit.WaitForNotification();
+  const std::string short_job = Submit(scheduler, "short");
+  EXPECT_EQ(AwaitEnd(scheduler, *store, short_job), ByDefinition({.chains = 2, .steps = 3}));
+  short_job_ended.Notify();
+  AwaitEnd(scheduler, *store, long_job);
+  EXPECT_FALSE(waited_in_vain);
 }
 
 TEST(Scheduler, RefusesAWrongSpecificationAndKeepsNothing) {
