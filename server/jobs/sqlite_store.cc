@@ -203,6 +203,10 @@ absl::StatusOr<Progress> SqliteStore::LoadProgress(std::string_view id) const {
 absl::StatusOr<std::vector<StoredRecord>> SqliteStore::Records(std::string_view id,
                                                                std::int64_t after,
                                                                std::size_t max_bytes) const {
+  if (after < 0) {
+    return absl::InvalidArgumentError(
+        absl::StrCat("after_sequence: ", after, " is not allowed; it is 0 or a record's number"));
+  }
   const std::lock_guard lock(mutex_);
   CELT_ASSIGN_OR_RETURN(const JobRow row, FindJob(*database_, id));
   if (after < row.job.dropped) {

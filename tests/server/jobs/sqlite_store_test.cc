@@ -155,6 +155,13 @@ TEST_F(SqliteStoreTest, GivesRecordsAfterANumberAsManyAsFit) {
   EXPECT_THAT(*store_->Records("a", 3, kPlenty), IsEmpty());
 }
 
+TEST_F(SqliteStoreTest, KnowsNoRecordBeforeTheFirst) {
+  Add("a");
+  const absl::Status status = store_->Records("a", -1, kPlenty).status();
+  EXPECT_TRUE(absl::IsInvalidArgument(status));
+  EXPECT_THAT(std::string(status.message()), ::testing::StartsWith("after_sequence: -1"));
+}
+
 TEST_F(SqliteStoreTest, CommitsAllOrNothing) {
   Add("a");
   ASSERT_TRUE(store_->Commit("a", FirstCommit()).ok());
