@@ -20,11 +20,6 @@ constexpr std::size_t kLongestRequestId = 64;
 constexpr int kDefaultPage = 50;
 constexpr int kLargestPage = 1000;
 
-absl::StatusOr<v1::Job> ToAnswer(const absl::StatusOr<jobs::Job>& job) {
-  if (!job.ok()) return job.status();
-  return ToMessage(*job);
-}
-
 /// The job that an answer is about, for the log.
 std::string JobOf(const v1::Job& job) { return job.id(); }
 template <class Message>
@@ -34,9 +29,7 @@ std::string JobOf(const Message&) {
 
 }  // namespace
 
-void CeltService::EndStreams() {
-  streams_.EndAll(absl::UnavailableError("the server is shutting down; come back later"));
-}
+void CeltService::EndStreams() { streams_.EndAll(jobs::ShuttingDown()); }
 
 template <class Message, class Work>
 grpc::ServerUnaryReactor* CeltService::Answer(grpc::CallbackServerContext* context,
@@ -79,6 +72,23 @@ absl::StatusOr<jobs::Job> CeltService::Own(const auth::Identity& who, const std:
   return absl::NotFoundError(absl::StrCat("id: there is no job ", id));
 }
 
+absl::StatusOr<v1::Job> CeltService::ToAnswer(const absl::StatusOr<jobs::Job>& job) const {
+  if (!job.ok()) return job.status();
+  CELT_ASSIGN_OR_RETURN(v1::Job message, ToMessage(*job));
+  if (const auto estimate = scheduler_.forecast().Of(job->id)) {
+    *message.mutable_estimate() = ToMessage(*estimate);
+  }
+  return message;
+}
+
+absl::StatusOr<v1::Job> CeltService::Foretell(const v1::JobSpec& spec) const {
+  CELT_ASSIGN_OR_RETURN(const jobs::Estimate estimate, scheduler_.Foretell(plans::Serialize(spec)));
+  v1::Job answer;
+  *answer.mutable_spec() = spec;
+  *answer.mutable_estimate() = ToMessage(estimate);
+  return answer;
+}
+
 absl::StatusOr<v1::Job> CeltService::Submit(const auth::Identity& who,
                                             const v1::SubmitJobRequest& request) {
   if (request.request_id().size() > kLongestRequestId) {
@@ -87,6 +97,7 @@ absl::StatusOr<v1::Job> CeltService::Submit(const auth::Identity& who,
   }
   CELT_ASSIGN_OR_RETURN(const v1::JobSpec spec, plans::ResolveSpec(request.spec()));
   CELT_RETURN_IF_ERROR(plans::CheckLimits(spec, options_.limits));
+  if (request.validate_only()) return Foretell(spec);
   return ToAnswer(scheduler_.Submit({.specification = plans::Serialize(spec),
                                      .owner = who.owner,
                                      .request_id = request.request_id(),

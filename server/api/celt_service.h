@@ -66,6 +66,10 @@ class CeltService final : public v1::Celt::CallbackService {
   grpc::ServerWriteReactor<Message>* Begin(grpc::CallbackServerContext* context,
                                            std::string_view method, const Request& request);
 
+  /// With its estimate, as long as it has not ended.
+  absl::StatusOr<v1::Job> ToAnswer(const absl::StatusOr<jobs::Job>& job) const;
+  /// A resolved specification with its estimate, in a job that there is none of.
+  absl::StatusOr<v1::Job> Foretell(const v1::JobSpec& spec) const;
   absl::StatusOr<v1::Job> Submit(const auth::Identity& who, const v1::SubmitJobRequest& request);
   absl::StatusOr<v1::ListJobsResponse> List(const auth::Identity& who,
                                             const v1::ListJobsRequest& request) const;

@@ -70,6 +70,15 @@ absl::StatusOr<v1::Job> ToMessage(const jobs::Job& job) {
   return message;
 }
 
+v1::Estimate ToMessage(const jobs::Estimate& estimate) {
+  v1::Estimate message;
+  message.set_most_units(estimate.most_units);
+  message.set_iterates(estimate.iterates);
+  message.set_seconds(absl::ToDoubleSeconds(estimate.alone));
+  message.set_queue_seconds(absl::ToDoubleSeconds(estimate.queue));
+  return message;
+}
+
 absl::StatusOr<v1::Record> ToMessage(const jobs::StoredRecord& record) {
   v1::Record message;
   if (!message.ParseFromString(record.bytes)) {

@@ -2,6 +2,7 @@
 
 #include "absl/status/statusor.h"
 #include "celt/v1/celt.pb.h"
+#include "server/jobs/forecast.h"
 #include "server/jobs/job.h"
 #include "server/jobs/store.h"
 
@@ -11,6 +12,7 @@ namespace celt::api {
 /// written.
 
 absl::StatusOr<v1::Job> ToMessage(const jobs::Job& job);
+v1::Estimate ToMessage(const jobs::Estimate& estimate);
 absl::StatusOr<v1::Record> ToMessage(const jobs::StoredRecord& record);
 absl::StatusOr<v1::Result> ResultOf(const jobs::Job& job);
 

@@ -11,6 +11,7 @@
 #include "server/jobs/status_macros.h"
 #include "server/plans/engine_version.h"
 #include "server/plans/factory.h"
+#include "server/plans/load.h"
 
 namespace celt::host {
 namespace {
@@ -94,6 +95,7 @@ jobs::SchedulerOptions Host::Scheduling() {
   scheduling.express = options_.on_demand ? absl::ZeroDuration() : kExpress;
   scheduling.engine_version = plans::kEngineVersion;
   scheduling.limits = options_.job_limits;
+  scheduling.load = plans::LoadOf;
   scheduling.on_demand = options_.on_demand;
   scheduling.on_error = [this](std::string_view job, const absl::Status& error) {
     metrics_.CountStoreError();
@@ -164,6 +166,7 @@ metrics::Snapshot Host::Count() const {
     snapshot.store_bytes = static_cast<double>(stats->bytes);
   }
   snapshot.active_jobs = static_cast<double>(scheduler_->active_jobs());
+  snapshot.paces = scheduler_->forecast().Paces();
   snapshot.streams = static_cast<double>(service_->open_streams());
   return snapshot;
 }

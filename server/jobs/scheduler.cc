@@ -18,10 +18,6 @@ int CountWorkers(int asked) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-absl::Status ShuttingDown() {
-  return absl::UnavailableError("the server is shutting down; come back later");
-}
-
 absl::Status Full(const std::string& why) {
   constexpr const char* kRetrySeconds = "5";
   absl::Status status = absl::ResourceExhaustedError(absl::StrCat(why, "; try again later"));
@@ -30,6 +26,10 @@ absl::Status Full(const std::string& why) {
 }
 
 }  // namespace
+
+absl::Status ShuttingDown() {
+  return absl::UnavailableError("the server is shutting down; come back later");
+}
 
 std::string RandomJobId() {
   constexpr std::string_view kLetters = "0123456789abcdefghjkmnpqrstvwxyz";
@@ -40,15 +40,25 @@ std::string RandomJobId() {
   return id;
 }
 
+Load LoadOfAnyKind(std::string_view /*specification*/, const Plan& plan) {
+  Load load;
+  load.effort = plan.work().total;
+  load.threads = plan.chains();
+  load.most_units = plan.chains() * plan.steps();
+  return load;
+}
+
 Scheduler::Scheduler(JobStore& store, PlanFactory factory, SchedulerOptions options)
     : store_(store),
       factory_(std::move(factory)),
       options_(std::move(options)),
-      workers_(CountWorkers(options_.workers)) {}
+      workers_(CountWorkers(options_.workers)),
+      forecast_(workers_) {}
 
 Scheduler::~Scheduler() { Shutdown(); }
 
 absl::Status Scheduler::Start() {
+  CELT_RETURN_IF_ERROR(Learn());
   if (!options_.on_demand) {
     CELT_ASSIGN_OR_RETURN(const std::vector<Job> unfinished, store_.Unfinished());
     for (const Job& job : unfinished) CELT_RETURN_IF_ERROR(Resume(job));
@@ -57,6 +67,20 @@ absl::Status Scheduler::Start() {
   for (int i = 0; i < workers_; ++i) threads_.emplace_back([this] { Work(Lane::kAny); });
   if (options_.express > absl::ZeroDuration()) {
     threads_.emplace_back([this] { Work(Lane::kExpress); });
+  }
+  return absl::OkStatus();
+}
+
+/// How fast this server is, from its latest answers.
+absl::Status Scheduler::Learn() {
+  constexpr int kAnswers = 100;
+  JobFilter filter;
+  filter.states = {JobState::kSucceeded};
+  CELT_ASSIGN_OR_RETURN(const JobPage latest, store_.List(filter, kAnswers, ""));
+  for (auto job = latest.jobs.rbegin(); job != latest.jobs.rend(); ++job) {
+    const absl::StatusOr<std::unique_ptr<Plan>> plan = factory_(job->specification);
+    if (!plan.ok() || !(job->unit_seconds > 0)) continue;
+    forecast_.Learn(options_.load(job->specification, **plan), absl::Seconds(job->unit_seconds));
   }
   return absl::OkStatus();
 }
@@ -130,6 +154,12 @@ absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   return stored;
 }
 
+absl::StatusOr<Estimate> Scheduler::Foretell(const std::string& specification) const {
+  if (stopping_) return ShuttingDown();
+  CELT_ASSIGN_OR_RETURN(const std::unique_ptr<Plan> plan, factory_(specification));
+  return forecast_.Of(options_.load(specification, *plan));
+}
+
 std::int64_t Scheduler::active_jobs() {
   const std::lock_guard lock(mutex_);
   return std::ssize(active_);
@@ -152,12 +182,15 @@ absl::Status Scheduler::Room(const std::string& owner) {
 /// Under mutex_.
 void Scheduler::Deactivate(const JobPointer& job) {
   if (active_.erase(job->id) == 0) return;
+  forecast_.End(job->id);
   listed_.Forget(job->owner, job);
   const auto own = unfinished_.find(job->owner);
   if (--own->second == 0) unfinished_.erase(own);
 }
 
 void Scheduler::Activate(const Job& job, std::unique_ptr<Plan> plan, const Progress& progress) {
+  forecast_.Begin(job.id, options_.load(job.specification, *plan),
+                  job.work_total > 0 ? job.work_done / job.work_total : 0);
   const auto active =
       std::make_shared<ActiveJob>(job, std::move(plan), progress, options_.run_ahead);
   bool close = false;

@@ -16,6 +16,7 @@
 #include "absl/status/statusor.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "server/jobs/forecast.h"
 #include "server/jobs/limits.h"
 #include "server/jobs/notifier.h"
 #include "server/jobs/plan.h"
@@ -26,6 +27,12 @@ namespace celt::jobs {
 
 /// Twelve letters and digits at random: nobody guesses another's job.
 std::string RandomJobId();
+
+/// UNAVAILABLE, for who comes while the server goes down.
+absl::Status ShuttingDown();
+
+/// What a job asks of a server when nothing is known of its kind.
+Load LoadOfAnyKind(std::string_view specification, const Plan& plan);
 
 /// A unit that was computed and committed.
 struct UnitDone {
@@ -47,6 +54,7 @@ struct SchedulerOptions {
   /// service that lives as long as one question.
   bool on_demand = false;
   JobLimits limits;
+  std::function<Load(std::string_view specification, const Plan& plan)> load = LoadOfAnyKind;
   std::int64_t run_ahead = 64;  ///< units of a job that may be done before they can be folded
   std::function<absl::Time()> clock = absl::Now;
   std::function<std::string()> new_id = RandomJobId;
@@ -97,6 +105,8 @@ class Scheduler {
   /// instead. `request_id` as in JobStore::Create. RESOURCE_EXHAUSTED: there are too many jobs, its
   /// payload kRetrySecondsPayload says when to try again. UNAVAILABLE once Shutdown has begun.
   absl::StatusOr<Job> Submit(const Submission& submission);
+  /// What a job would take, and nothing else: errors as of Submit, which accepts it.
+  absl::StatusOr<Estimate> Foretell(const std::string& specification) const;
   /// Goes on with a sleeping job: for those who follow it. Nothing to do is no error.
   absl::Status Wake(std::string_view id);
   /// Asks the job to stop and returns it as it is now: CANCELLED already when no unit of it was
@@ -107,6 +117,8 @@ class Scheduler {
 
   /// Tells of new records, states and progress, and of removal.
   Notifier& notifier() { return notifier_; }
+  /// How long jobs are expected to take.
+  const Forecast& forecast() const { return forecast_; }
   int workers() const { return workers_; }
   /// Jobs that run or wait for a thread.
   std::int64_t active_jobs();
@@ -118,6 +130,7 @@ class Scheduler {
   enum class Lane { kAny, kExpress };  // which jobs a thread is for
   using JobPointer = std::shared_ptr<ActiveJob>;
 
+  absl::Status Learn();
   absl::Status Resume(Job job);
   absl::Status WakeUnderMutex(std::string_view id);
   absl::Status Room(const std::string& owner);
@@ -147,6 +160,7 @@ class Scheduler {
   const SchedulerOptions options_;
   const int workers_;
   Notifier notifier_;
+  Forecast forecast_;
 
   std::mutex activation_mutex_;  // held from the look at the store until the job is active
   std::atomic<bool> stopping_ = false;

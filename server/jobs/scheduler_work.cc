@@ -134,6 +134,8 @@ void Scheduler::CommitUnit(const Task& task, UnitOutput output, absl::Duration t
     List(task.job);
   }
   fold_lock.unlock();
+  const double total = job.plan->work().total;
+  forecast_.CountUnit(job.id, total > 0 ? work / total : 0, took);
   options_.on_unit({job.id, took, work, job.work_unit});
   notifier_.Notify(job.id);
 }

@@ -1,50 +1,14 @@
 #include "server/plans/limits.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 
 #include "absl/strings/str_cat.h"
-#include "google/protobuf/descriptor.h"
-#include "google/protobuf/message.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/chosen.h"
 
 namespace celt::plans {
 namespace {
-
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-
-/// The analysis that was picked, and its field's name: analyses have one in every message that has
-/// them.
-struct Chosen {
-  std::string name;
-  const Message* analysis = nullptr;
-};
-
-Chosen AnalysisOf(const Message& message) {
-  const auto* reflection = message.GetReflection();
-  const FieldDescriptor* const field = reflection->GetOneofFieldDescriptor(
-      message, message.GetDescriptor()->FindOneofByName("analysis"));
-  if (field == nullptr) return {};
-  return {field->name(), &reflection->GetMessage(message, field)};
-}
-
-/// A count of an analysis, by its field's name; 0 for one that it doesn't have.
-double Count(const Message& analysis, const std::string& name) {
-  const FieldDescriptor* const field = analysis.GetDescriptor()->FindFieldByName(name);
-  if (field == nullptr) return 0;
-  const auto* reflection = analysis.GetReflection();
-  if (field->cpp_type() == FieldDescriptor::CPPTYPE_INT64) {
-    return static_cast<double>(reflection->GetInt64(analysis, field));
-  }
-  return static_cast<double>(reflection->GetInt32(analysis, field));
-}
-
-double Iterates(const Message& analysis) {
-  const double orbits = std::max(Count(analysis, "orbits"), 1.0);
-  return Count(analysis, "iterates") + orbits * Count(analysis, "transient");
-}
 
 absl::Status Check(const std::string& field, const char* what, double value, std::int64_t limit) {
   if (value <= static_cast<double>(limit)) return absl::OkStatus();

@@ -45,6 +45,11 @@ bool FakeService::fresh() const {
   return fresh_;
 }
 
+bool FakeService::validate_only() const {
+  const std::lock_guard lock(mutex_);
+  return validate_only_;
+}
+
 std::string FakeService::authorization() const {
   const std::lock_guard lock(mutex_);
   return authorization_;
@@ -65,6 +70,7 @@ grpc::Status FakeService::SubmitJob(grpc::ServerContext* context,
   const std::lock_guard lock(mutex_);
   submitted_ = request->spec();
   fresh_ = request->fresh();
+  validate_only_ = request->validate_only();
   const auto shown = context->client_metadata().find("authorization");
   const bool is_shown = shown != context->client_metadata().end();
   authorization_ = is_shown ? std::string(shown->second.data(), shown->second.size()) : "";

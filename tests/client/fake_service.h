@@ -33,6 +33,7 @@ class FakeService final : public v1::Celt::Service {
   /// The specification last submitted.
   v1::JobSpec submitted() const;
   bool fresh() const;
+  bool validate_only() const;
   /// The header "authorization" of the last submission.
   std::string authorization() const;
   bool cancelled() const;
@@ -70,6 +71,7 @@ class FakeService final : public v1::Celt::Service {
   std::condition_variable changed_;
   v1::JobSpec submitted_;
   bool fresh_ = false;
+  bool validate_only_ = false;
   std::string authorization_;
   bool cancelled_ = false;
   std::vector<std::int64_t> resumed_after_;

@@ -11,6 +11,7 @@ namespace celt {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 FakeService::Script Answer() { return {{RecordMessage(1), ResultMessage()}, {}}; }
@@ -72,6 +73,51 @@ TEST_F(RunTest, FreshAnswerIsAskedFor) {
   EXPECT_FALSE(service_.fresh());
   Run({"lyapunov", "--detach", "--fresh"});
   EXPECT_TRUE(service_.fresh());
+}
+
+TEST_F(RunTest, DetachTellsHowLongTheJobTakes) {
+  v1::Estimate& estimate = *service_.job.mutable_estimate();
+  estimate.set_most_units(135);
+  estimate.set_iterates(216'000);
+  estimate.set_seconds(65);
+  EXPECT_EQ(Run({"lyapunov", "--detach"}).err,
+            "celt: job job-1 takes about 1:05: 216 000 iterates in 135 units\n");
+  estimate.clear_iterates();
+  estimate.clear_most_units();
+  estimate.set_seconds(0.123);
+  estimate.set_queue_seconds(30);
+  EXPECT_EQ(Run({"lyapunov", "--detach"}).err,
+            "celt: job job-1 takes about 0.12 s; 30 s of other jobs before or beside it\n");
+}
+
+TEST_F(RunTest, WhoWaitsIsToldHowLongOnATerminalAndOnlyIfItIsLong) {
+  service_.scripts = {Answer()};
+  service_.job.mutable_estimate()->set_seconds(100);
+  const Surroundings terminal = {.server = service_.address(), .progress_width = 80};
+  EXPECT_THAT(RunCelt({"lyapunov"}, terminal).err, HasSubstr("job job-1 takes about 1:40\n"));
+  EXPECT_EQ(Run({"lyapunov"}).err, "");
+  service_.job.mutable_estimate()->set_seconds(1);
+  EXPECT_THAT(RunCelt({"lyapunov"}, terminal).err, Not(HasSubstr("takes")));
+}
+
+TEST_F(RunTest, DryRunTellsTheWorkInAllFormatsAndLeavesNoJob) {
+  service_.job.clear_id();
+  v1::Estimate& estimate = *service_.job.mutable_estimate();
+  estimate.set_most_units(1);
+  estimate.set_iterates(1e6);
+  estimate.set_seconds(3700);
+  EXPECT_EQ(Run({"lyapunov", "--dry-run", "--output", "table"}).out,
+            "  work          1 000 000 iterates in 1 unit\n"
+            "  computes for  about 1:01:40\n"
+            "  other jobs    none\n");
+  EXPECT_TRUE(service_.validate_only());
+  EXPECT_EQ(Run({"lyapunov", "--dry-run", "--output", "csv"}).out,
+            "most_units,iterates,seconds,queue_seconds\n1,1e+06,3700,0\n");
+  EXPECT_THAT(
+      Run({"lyapunov", "--dry-run"}).out,
+      HasSubstr("\"estimate\":{\"mostUnits\":\"1\",\"iterates\":1000000,\"seconds\":3700}"));
+  EXPECT_TRUE(service_.resumed_after().empty());
+  EXPECT_EQ(Run({"lyapunov", "--dry-run", "--detach"}).code, 2);
 }
 
 TEST_F(RunTest, DetachWithoutServerIsRefused) {

@@ -47,6 +47,39 @@ TEST_F(CeltServiceTest, AcceptsAJobWithItsDefaultsFilledIn) {
   EXPECT_FALSE(job.has_start_time());
 }
 
+TEST_F(CeltServiceTest, EstimatesAJobAsLongAsItHasNotEnded) {
+  const v1::Job endless = Submit(*stub_, kEndless);
+  EXPECT_EQ(endless.estimate().iterates(), 1e12);
+  EXPECT_GT(endless.estimate().most_units(), 1'000'000);
+  EXPECT_GT(endless.estimate().seconds(), 1000) << "nothing computes 10^9 iterates in a second";
+  EXPECT_EQ(endless.estimate().queue_seconds(), 0);
+  const v1::Job next = Submit(*stub_, kShort);
+  EXPECT_GT(next.estimate().queue_seconds(), 1000) << "of the endless one";
+  v1::Job job;
+  ASSERT_TRUE(Get(*stub_, endless.id(), &job).ok());
+  EXPECT_TRUE(job.has_estimate());
+  Cancel(*stub_, endless.id());
+  WatchToTheEnd(*stub_, endless.id());
+  ASSERT_TRUE(Get(*stub_, endless.id(), &job).ok());
+  EXPECT_FALSE(job.has_estimate());
+}
+
+TEST_F(CeltServiceTest, OnlyValidatesARequestThatSaysSo) {
+  v1::SubmitJobRequest request = Request(kEndless, "request");
+  request.set_validate_only(true);
+  grpc::ClientContext context;
+  v1::Job job;
+  ASSERT_TRUE(stub_->SubmitJob(&context, request, &job).ok());
+  EXPECT_EQ(job.id(), "");
+  EXPECT_EQ(job.spec().lyapunov().seed(), 1U) << "defaults are filled in";
+  EXPECT_EQ(job.estimate().iterates(), 1e12);
+  EXPECT_EQ(List({}).jobs_size(), 0);
+  request.mutable_spec()->mutable_lyapunov()->set_iterates(0);
+  grpc::ClientContext wrong;
+  EXPECT_EQ(stub_->SubmitJob(&wrong, request, &job).error_code(),
+            grpc::StatusCode::INVALID_ARGUMENT);
+}
+
 TEST_F(CeltServiceTest, RefusesAWrongSpecificationByItsField) {
   const grpc::Status status = TrySubmit(*stub_, "lyapunov { iterates: 0 }");
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
