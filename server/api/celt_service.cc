@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "absl/strings/str_cat.h"
+#include "server/api/info.h"
 #include "server/api/messages.h"
 #include "server/api/result_stream.h"
 #include "server/api/status.h"
@@ -175,7 +176,7 @@ grpc::ServerUnaryReactor* CeltService::GetInfo(grpc::CallbackServerContext* cont
                                                v1::GetInfoResponse* response) {
   return Answer(context, "GetInfo", response,
                 [&](const auth::Identity&) -> absl::StatusOr<v1::GetInfoResponse> {
-                  return MakeInfo(scheduler_.workers());
+                  return MakeInfo(scheduler_.workers(), options_.limits, scheduler_.limits());
                 });
 }
 

@@ -3,9 +3,7 @@
 #include <string>
 
 #include "absl/strings/str_cat.h"
-#include "core/map/system.h"
 #include "server/jobs/status_macros.h"
-#include "server/plans/engine_version.h"
 
 namespace celt::api {
 namespace {
@@ -39,23 +37,6 @@ void FillTimes(const jobs::Job& job, v1::Job& message) {
   SetTime(job.created, *message.mutable_create_time());
   if (job.started != absl::InfinitePast()) SetTime(job.started, *message.mutable_start_time());
   if (job.ended != absl::InfinitePast()) SetTime(job.ended, *message.mutable_end_time());
-}
-
-void FillParameter(const ParameterInfo& from, v1::ParameterInfo& to) {
-  to.set_name(std::string(from.name));
-  to.set_default_value(from.default_value);
-  to.set_unit(std::string(from.unit));
-  to.set_description(std::string(from.description));
-  to.set_range(RangeText(from));
-}
-
-void FillSystem(const System& from, v1::SystemInfo& to) {
-  to.set_name(std::string(from.name()));
-  to.set_description(std::string(from.description()));
-  for (const ParameterInfo& parameter : from.parameters()) {
-    FillParameter(parameter, *to.add_parameters());
-  }
-  for (const std::string_view name : from.coordinates()) to.add_coordinates(std::string(name));
 }
 
 }  // namespace
@@ -103,15 +84,6 @@ absl::StatusOr<jobs::JobFilter> ToFilter(const v1::ListJobsRequest& request) {
     filter.states.push_back(static_cast<jobs::JobState>(state));
   }
   return filter;
-}
-
-v1::GetInfoResponse MakeInfo(int workers) {
-  v1::GetInfoResponse info;
-  info.set_version(CELT_VERSION);
-  info.set_workers(workers);
-  info.set_engine_version(plans::kEngineVersion);
-  for (const System* system : AllSystems()) FillSystem(*system, *info.add_systems());
-  return info;
 }
 
 }  // namespace celt::api

@@ -19,7 +19,4 @@ absl::StatusOr<v1::Result> ResultOf(const jobs::Job& job);
 /// INVALID_ARGUMENT: a state that no job is in.
 absl::StatusOr<jobs::JobFilter> ToFilter(const v1::ListJobsRequest& request);
 
-/// What there is: systems with their parameters.
-v1::GetInfoResponse MakeInfo(int workers);
-
 }  // namespace celt::api

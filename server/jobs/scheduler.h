@@ -120,6 +120,7 @@ class Scheduler {
   /// How long jobs are expected to take.
   const Forecast& forecast() const { return forecast_; }
   int workers() const { return workers_; }
+  const JobLimits& limits() const { return options_.limits; }
   /// Jobs that run or wait for a thread.
   std::int64_t active_jobs();
   bool stopping() const { return stopping_; }

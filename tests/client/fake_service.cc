@@ -141,6 +141,11 @@ grpc::Status FakeService::GetInfo(grpc::ServerContext* /*context*/,
                                   v1::GetInfoResponse* response) {
   response->set_version("9.9.9");
   response->set_workers(2);
+  response->set_engine_version(7);
+  for (const char* analysis : {"lyapunov", "sweep"}) response->add_analyses(analysis);
+  for (const auto engine : {v1::ENGINE_ARKODE, v1::ENGINE_FAST}) response->add_engines(engine);
+  response->mutable_limits()->set_nodes(10'000);
+  response->mutable_limits()->set_computing_seconds(7200);
   v1::SystemInfo& system = *response->add_systems();
   system.set_name("henon3d");
   system.set_description("Three-dimensional Hénon map");

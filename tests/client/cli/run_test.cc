@@ -328,7 +328,13 @@ TEST_F(RunTest, ServerInfoInAllFormats) {
             "system,parameter,default,unit,range,description\n"
             "henon3d,b,0.7,,\"(-inf, inf)\",\"Jacobian, in words: constant\"\n");
   EXPECT_THAT(Run({"server", "info", "--output", "table"}).out,
-              StartsWith("celt 9.9.9, 2 workers\n\nhenon3d: Three-dimensional Hénon map\n"));
+              StartsWith("celt 9.9.9, engine version 7, 2 workers\n"
+                         "  computes  lyapunov, sweep\n"
+                         "  by        arkode, fast\n\n"
+                         "  at most\n"
+                         "  nodes of a sweep    10 000\n"
+                         "  computing of a job  2:00:00\n\n"
+                         "henon3d: Three-dimensional Hénon map\n"));
 }
 
 }  // namespace

@@ -9,10 +9,12 @@
 #include "gtest/gtest.h"
 #include "host/host_testing.h"
 #include "server/api/error_details.pb.h"
+#include "server/plans/engine_version.h"
 
 namespace celt::host {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -282,6 +284,10 @@ TEST_F(CeltServiceTest, TellsWhatThereIs) {
   EXPECT_EQ(energy.name(), "energy");
   EXPECT_EQ(energy.default_value(), 752);
   EXPECT_EQ(energy.range(), "(-inf, inf)");
+  EXPECT_EQ(info.engine_version(), plans::kEngineVersion);
+  EXPECT_THAT(info.analyses(), Contains("sweep"));
+  EXPECT_THAT(info.engines(), ElementsAre(v1::ENGINE_CVODE, v1::ENGINE_ARKODE, v1::ENGINE_FAST));
+  EXPECT_EQ(info.limits().SerializeAsString(), "") << "there are none";
 }
 
 }  // namespace
