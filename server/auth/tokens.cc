@@ -2,7 +2,6 @@
 
 #include <openssl/rand.h>
 #include <openssl/sha.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <fstream>
@@ -59,10 +58,8 @@ std::string TokenLine(const Identity& identity, std::string_view token) {
 }
 
 absl::StatusOr<std::unique_ptr<TokenFile>> TokenFile::Open(const std::string& path,
-                                                           Options options) {
+                                                           WatchOptions options) {
   std::unique_ptr<TokenFile> file(new TokenFile(path, std::move(options)));
-  file->stamp_ = file->Stamp();
-  file->looked_ = file->options_.clock();
   CELT_ASSIGN_OR_RETURN(file->identities_, file->Read());
   return file;
 }
@@ -78,14 +75,9 @@ std::optional<Identity> TokenFile::Find(std::string_view token) {
 }
 
 void TokenFile::LookAgain() {
-  const absl::Time now = options_.clock();
-  if (now - looked_ < options_.look_after) return;
-  looked_ = now;
-  const std::string stamp = Stamp();
-  if (stamp == stamp_) return;
-  stamp_ = stamp;
+  if (!file_.Changed()) return;
   absl::StatusOr<Identities> identities = Read();
-  if (!identities.ok()) return options_.on_error(identities.status());
+  if (!identities.ok()) return on_error_(identities.status());
   identities_ = *std::move(identities);
 }
 
@@ -109,14 +101,6 @@ absl::StatusOr<TokenFile::Identities> TokenFile::Read() const {
     identities[hash] = {owner, role == "admin"};
   }
   return identities;
-}
-
-/// Changes when the file does, also when it is replaced by another within a clock's tick.
-std::string TokenFile::Stamp() const {
-  struct stat status {};
-  if (stat(path_.c_str(), &status) != 0) return "";
-  return absl::StrCat(status.st_ino, " ", status.st_size, " ", status.st_mtim.tv_sec, ".",
-                      status.st_mtim.tv_nsec);
 }
 
 }  // namespace celt::auth

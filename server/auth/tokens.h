@@ -10,9 +10,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "absl/time/clock.h"
-#include "absl/time/time.h"
 #include "server/auth/identity.h"
+#include "server/auth/watched_files.h"
 
 namespace celt::auth {
 
@@ -30,32 +29,25 @@ std::string TokenLine(const Identity& identity, std::string_view token);
 /// Safe to use from many threads.
 class TokenFile {
  public:
-  struct Options {
-    std::function<absl::Time()> clock = absl::Now;
-    absl::Duration look_after = absl::Seconds(1);  ///< between looks at the file
-    std::function<void(const absl::Status&)> on_error = [](const absl::Status&) {};
-  };
-
   /// INVALID_ARGUMENT "path:line: …"; NOT_FOUND: it can't be read.
-  static absl::StatusOr<std::unique_ptr<TokenFile>> Open(const std::string& path, Options options);
+  static absl::StatusOr<std::unique_ptr<TokenFile>> Open(const std::string& path,
+                                                         WatchOptions options);
 
   std::optional<Identity> Find(std::string_view token);
 
  private:
   using Identities = std::map<std::string, Identity, std::less<>>;  // by hash
 
-  TokenFile(std::string path, Options options)
-      : path_(std::move(path)), options_(std::move(options)) {}
+  TokenFile(std::string path, WatchOptions options)
+      : path_(std::move(path)), on_error_(std::move(options.on_error)), file_({path_}, options) {}
   void LookAgain();
   absl::StatusOr<Identities> Read() const;
-  std::string Stamp() const;
 
   const std::string path_;
-  const Options options_;
+  const std::function<void(const absl::Status&)> on_error_;
   std::mutex mutex_;
+  WatchedFiles file_;
   Identities identities_;
-  std::string stamp_;  // of the file that was read last
-  absl::Time looked_;
 };
 
 }  // namespace celt::auth

@@ -1,40 +1,67 @@
 #include "server/host/credentials.h"
 
-#include <fstream>
-#include <sstream>
+#include <optional>
 #include <string>
 
-#include "absl/strings/str_cat.h"
-#include "server/jobs/status_macros.h"
+#include "grpc/grpc.h"
+#include "grpc/grpc_security.h"
 
 namespace celt::host {
 namespace {
 
-absl::StatusOr<std::string> ReadPem(const std::string& setting, const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream contents;
-  contents << file.rdbuf();
-  if (file && contents.str().find("-----BEGIN ") != std::string::npos) return contents.str();
-  return absl::InvalidArgumentError(
-      absl::StrCat(setting, ": ", path, " can't be read, or is no PEM file"));
+/// What gRPC asks at every new connection.
+grpc_ssl_certificate_config_reload_status Fetch(void* files,
+                                                grpc_ssl_server_certificate_config** config) {
+  const std::optional<Certificates> latest = static_cast<CertificateFiles*>(files)->Take();
+  if (!latest) return GRPC_SSL_CERTIFICATE_CONFIG_RELOAD_UNCHANGED;
+  const grpc_ssl_pem_key_cert_pair pair = {latest->key.c_str(), latest->chain.c_str()};
+  // gRPC insists on authorities; where clients are not asked for certificates, it uses none.
+  const std::string& authorities =
+      latest->client_authorities.empty() ? latest->chain : latest->client_authorities;
+  *config = grpc_ssl_server_certificate_config_create(authorities.c_str(), &pair, 1);
+  return GRPC_SSL_CERTIFICATE_CONFIG_RELOAD_NEW;
 }
+
+grpc_ssl_client_certificate_request_type RequestOf(ClientCertificates clients) {
+  switch (clients) {
+    case ClientCertificates::kWelcome:
+      return GRPC_SSL_REQUEST_CLIENT_CERTIFICATE_AND_VERIFY;
+    case ClientCertificates::kRequired:
+      return GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY;
+    default:
+      return GRPC_SSL_DONT_REQUEST_CLIENT_CERTIFICATE;
+  }
+}
+
+/// gRPC's C++ reads certificates again in an experimental part alone, in which we can't check them
+/// first; its C asks us at every connection.
+class FetchedCredentials final : public grpc::ServerCredentials {
+ public:
+  FetchedCredentials(CertificateFiles& files, ClientCertificates clients)
+      : credentials_(grpc_ssl_server_credentials_create_with_options(
+            grpc_ssl_server_credentials_create_options_using_config_fetcher(RequestOf(clients),
+                                                                            Fetch, &files))) {}
+  ~FetchedCredentials() override { grpc_server_credentials_release(credentials_); }
+  FetchedCredentials(const FetchedCredentials&) = delete;
+  FetchedCredentials& operator=(const FetchedCredentials&) = delete;
+
+  /// For metadata that a credential would check; ours is checked with the call.
+  void SetAuthMetadataProcessor(
+      const std::shared_ptr<grpc::AuthMetadataProcessor>& /*processor*/) override {}
+
+ private:
+  int AddPortToServer(const std::string& address, grpc_server* server) override {
+    return grpc_server_add_http2_port(server, address.c_str(), credentials_);
+  }
+
+  grpc_server_credentials* const credentials_;
+};
 
 }  // namespace
 
-absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> CredentialsOf(const Keys& keys) {
-  if (keys.certificate.empty()) return grpc::InsecureServerCredentials();
-  grpc::SslServerCredentialsOptions options(GRPC_SSL_DONT_REQUEST_CLIENT_CERTIFICATE);
-  grpc::SslServerCredentialsOptions::PemKeyCertPair pair;
-  CELT_ASSIGN_OR_RETURN(pair.private_key, ReadPem("access.key", keys.key));
-  CELT_ASSIGN_OR_RETURN(pair.cert_chain, ReadPem("access.certificate", keys.certificate));
-  options.pem_key_cert_pairs.push_back(std::move(pair));
-  if (!keys.client_ca.empty()) {
-    CELT_ASSIGN_OR_RETURN(options.pem_root_certs, ReadPem("access.client_ca", keys.client_ca));
-    options.client_certificate_request =
-        keys.tokens.empty() ? GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY
-                            : GRPC_SSL_REQUEST_CLIENT_CERTIFICATE_AND_VERIFY;
-  }
-  return grpc::SslServerCredentials(options);
+std::shared_ptr<grpc::ServerCredentials> TlsCredentials(CertificateFiles& files,
+                                                        ClientCertificates clients) {
+  return std::make_shared<FetchedCredentials>(files, clients);
 }
 
 }  // namespace celt::host

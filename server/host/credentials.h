@@ -2,14 +2,17 @@
 
 #include <memory>
 
-#include "absl/status/statusor.h"
 #include "grpcpp/security/server_credentials.h"
-#include "server/host/host.h"
+#include "server/host/certificates.h"
 
 namespace celt::host {
 
-/// With a certificate, TLS; client certificates are asked for where their authorities are named,
-/// and required unless tokens do as well. INVALID_ARGUMENT names the file that can't be read.
-absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> CredentialsOf(const Keys& keys);
+/// Whether TLS asks clients for certificates.
+enum class ClientCertificates { kNone, kWelcome, kRequired };
+
+/// TLS with these certificates: each new connection gets the latest. `files` must outlive the
+/// server.
+std::shared_ptr<grpc::ServerCredentials> TlsCredentials(CertificateFiles& files,
+                                                        ClientCertificates clients);
 
 }  // namespace celt::host

@@ -52,6 +52,7 @@ std::string WithPort(const std::string& listen, int port) {
 absl::StatusOr<std::unique_ptr<Host>> Host::Start(HostOptions options) {
   std::unique_ptr<Host> host(new Host(std::move(options)));
   CELT_RETURN_IF_ERROR(host->OpenGate());
+  CELT_RETURN_IF_ERROR(host->OpenCertificates());
   CELT_RETURN_IF_ERROR(host->OpenStore());
   host->scheduler_ =
       std::make_unique<jobs::Scheduler>(*host->store_, plans::MakePlan, host->Scheduling());
@@ -70,12 +71,34 @@ absl::Status Host::OpenGate() {
   const Keys& keys = options_.keys;
   std::unique_ptr<auth::TokenFile> tokens;
   if (!keys.tokens.empty()) {
-    auth::TokenFile::Options reading;
-    reading.on_error = [this](const absl::Status& error) { options_.on_error("", error); };
-    CELT_ASSIGN_OR_RETURN(tokens, auth::TokenFile::Open(keys.tokens, std::move(reading)));
+    CELT_ASSIGN_OR_RETURN(tokens, auth::TokenFile::Open(keys.tokens, Watching()));
   }
   gate_ = std::make_unique<auth::Gate>(std::move(tokens), !keys.client_ca.empty());
   return absl::OkStatus();
+}
+
+auth::WatchOptions Host::Watching() const {
+  auth::WatchOptions watching;
+  watching.on_error = [this](const absl::Status& error) { options_.on_error("", error); };
+  return watching;
+}
+
+absl::Status Host::OpenCertificates() {
+  if (options_.keys.certificate.empty()) return absl::OkStatus();
+  CELT_ASSIGN_OR_RETURN(certificates_, CertificateFiles::Open(options_.keys, Watching()));
+  return absl::OkStatus();
+}
+
+/// Certificates of clients are asked for where their authorities are named, and required unless
+/// tokens do as well.
+std::shared_ptr<grpc::ServerCredentials> Host::Credentials() {
+  if (certificates_ == nullptr) return grpc::InsecureServerCredentials();
+  ClientCertificates clients = ClientCertificates::kNone;
+  if (!options_.keys.client_ca.empty()) {
+    clients =
+        options_.keys.tokens.empty() ? ClientCertificates::kRequired : ClientCertificates::kWelcome;
+  }
+  return TlsCredentials(*certificates_, clients);
 }
 
 absl::Status Host::OpenStore() {
@@ -124,17 +147,13 @@ absl::Status Host::StartServer() {
   Configure(builder);
   const std::string& listen = options_.listen;
   int port = 0;
-  if (!listen.empty()) {
-    CELT_ASSIGN_OR_RETURN(const auto credentials, CredentialsOf(options_.keys));
-    builder.AddListeningPort(listen, credentials, &port);
-  }
+  if (!listen.empty()) builder.AddListeningPort(listen, Credentials(), &port);
   builder.RegisterService(service_.get());
   server_ = builder.BuildAndStart();
   if (server_ == nullptr || (!listen.empty() && port == 0)) {
     return absl::FailedPreconditionError(
         absl::StrCat("listen: can't listen on ", listen,
-                     ": the port is in use, or the address is not one of this machine, or the "
-                     "certificate and its key do not fit"));
+                     ": the port is in use, or the address is not one of this machine"));
   }
   if (!listen.empty()) address_ = WithPort(listen, port);
   server_->GetHealthCheckService()->SetServingStatus(kServiceName, true);

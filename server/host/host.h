@@ -13,6 +13,7 @@
 #include "grpcpp/server.h"
 #include "server/api/celt_service.h"
 #include "server/auth/gate.h"
+#include "server/host/certificates.h"
 #include "server/host/keeper.h"
 #include "server/jobs/data_dir.h"
 #include "server/jobs/scheduler.h"
@@ -77,6 +78,9 @@ class Host {
   explicit Host(HostOptions options) : options_(std::move(options)) {}
   absl::Status OpenStore();
   absl::Status OpenGate();
+  absl::Status OpenCertificates();
+  auth::WatchOptions Watching() const;
+  std::shared_ptr<grpc::ServerCredentials> Credentials();
   jobs::SchedulerOptions Scheduling();
   api::ServiceOptions Serving();
   absl::Status StartServer();
@@ -87,6 +91,7 @@ class Host {
   // In the order of construction: each uses those before it.
   metrics::Metrics metrics_;
   std::unique_ptr<auth::Gate> gate_;
+  std::unique_ptr<CertificateFiles> certificates_;
   std::optional<jobs::DataDir> data_dir_;
   std::unique_ptr<jobs::SqliteStore> store_;
   std::unique_ptr<jobs::Scheduler> scheduler_;

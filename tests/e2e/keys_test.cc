@@ -1,5 +1,7 @@
 // Who may speak to a server, and over what.
 
+#include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -107,6 +109,41 @@ TEST_F(KeysTest, CertificatesOfClientsNameTheirOwners) {
       celt_.Run({"server", "info", "--server", daemon.address(), "--tls-ca", Path("ca.pem")}).code,
       3)
       << "without a certificate";
+}
+
+TEST_F(KeysTest, ANewCertificateIsShownWithoutARestart) {
+  MakeAuthority();
+  MakeCertificate("server");
+  Daemon daemon(data_.path(), 1, "127.0.0.1:0",
+                {"--access-certificate", Path("server.pem"), "--access-key", Path("server.key"),
+                 "--access-client-ca", Path("ca.pem")});
+  MakeCertificate("anna");
+  const auto asked = [&](const std::string& authority) {
+    return celt_
+        .Run({"server", "info", "--server", daemon.address(), "--tls-ca", Path(authority),
+              "--tls-certificate", Path("anna.pem"), "--tls-key", Path("anna.key")})
+        .code;
+  };
+  std::filesystem::copy_file(Path("ca.pem"), Path("old.pem"));
+  EXPECT_EQ(asked("old.pem"), 0);
+
+  // A key of another certificate: who comes now still finds the old one.
+  std::filesystem::copy_file(Path("anna.key"), Path("server.key"),
+                             std::filesystem::copy_options::overwrite_existing);
+  constexpr int kLooks = 4;  // at most one a second, and a run takes a while: some of them look
+  for (int i = 0; i < kLooks; ++i) EXPECT_EQ(asked("old.pem"), 0);
+
+  // All anew, the authority of clients too: who trusts the new one comes in, soon.
+  MakeAuthority();
+  MakeCertificate("server");
+  MakeCertificate("anna");
+  constexpr int kPatience = 200;
+  int looks = 0;
+  while (asked("ca.pem") != 0 && looks < kPatience) ++looks;
+  EXPECT_LT(looks, kPatience);
+  EXPECT_EQ(asked("old.pem"), 3) << "the old one is not shown any more";
+  daemon.process().Signal(SIGTERM);
+  EXPECT_EQ(daemon.process().Wait().code, 0);
 }
 
 TEST_F(KeysTest, WithoutKeysAServerStaysOnLoopback) {

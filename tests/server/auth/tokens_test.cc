@@ -18,7 +18,7 @@ class TokenFileTest : public ::testing::Test {
  protected:
   void Write(const std::string& text) { std::ofstream(path_) << text; }
   absl::StatusOr<std::unique_ptr<TokenFile>> Open() {
-    TokenFile::Options options;
+    WatchOptions options;
     options.clock = [this] { return now_; };
     options.on_error = [this](const absl::Status& error) { told_ = error; };
     return TokenFile::Open(path_, options);
