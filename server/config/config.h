@@ -32,6 +32,10 @@ struct Config {
     std::int64_t store_megabytes = 0;
   } retention;
 
+  struct Store {
+    std::string synchronous = "normal";
+  } store;
+
   struct Access {
     std::string tokens;
     std::string certificate;

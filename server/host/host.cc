@@ -107,7 +107,7 @@ absl::Status Host::OpenStore() {
     CELT_ASSIGN_OR_RETURN(data_dir_, jobs::DataDir::Lock(options_.data_dir));
     path = data_dir_->StorePath();
   }
-  CELT_ASSIGN_OR_RETURN(store_, jobs::SqliteStore::Open(path));
+  CELT_ASSIGN_OR_RETURN(store_, jobs::SqliteStore::Open(path, options_.synchronous));
   return absl::OkStatus();
 }
 
@@ -183,6 +183,7 @@ metrics::Snapshot Host::Count() const {
       snapshot.jobs[name] = found == stats->jobs.end() ? 0 : static_cast<double>(found->second);
     }
     snapshot.store_bytes = static_cast<double>(stats->bytes);
+    snapshot.store_synchronous = static_cast<double>(stats->synchronous);
   }
   snapshot.active_jobs = static_cast<double>(scheduler_->active_jobs());
   snapshot.paces = scheduler_->forecast().Paces();

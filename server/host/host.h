@@ -33,8 +33,9 @@ struct Keys {
 
 struct HostOptions {
   std::string
-      data_dir;     ///< made if there is none, held by this host alone; empty: jobs live in memory
-  int workers = 0;  ///< threads that compute; 0: as many as there are cores
+      data_dir;  ///< made if there is none, held by this host alone; empty: jobs live in memory
+  jobs::Synchronous synchronous = jobs::Synchronous::kNormal;
+  int workers = 0;         ///< threads that compute; 0: as many as there are cores
   bool on_demand = false;  ///< jobs of an earlier run sleep until they are asked for
   plans::SpecLimits spec_limits;
   jobs::JobLimits job_limits;

@@ -147,7 +147,7 @@ absl::Status Migrate(Database& database, std::int64_t from) {
 
 }  // namespace
 
-absl::Status PrepareSchema(Database& database) {
+absl::Status PrepareSchema(Database& database, Synchronous synchronous) {
   CELT_RETURN_IF_ERROR(CheckOwner(database));
   CELT_ASSIGN_OR_RETURN(const std::int64_t schema, database.QueryInt("PRAGMA user_version", {}));
   if (schema > kSchema) {
@@ -155,9 +155,9 @@ absl::Status PrepareSchema(Database& database) {
                                          ", this program knows ", kSchema, ")"));
   }
   CELT_RETURN_IF_ERROR(CheckIntegrity(database));
-  // WAL with NORMAL: a commit survives the death of the process, and the file stays sound in a
-  // power cut, which may take the last commits with it.
-  CELT_RETURN_IF_ERROR(database.Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"));
+  // With WAL, a commit survives the death of the process, and the file a power cut, in either way.
+  CELT_RETURN_IF_ERROR(database.Execute(absl::StrCat(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = ", static_cast<int>(synchronous))));
   if (schema < kSchema) CELT_RETURN_IF_ERROR(Migrate(database, schema));
   // After the migrations: one that replaces a table would drop all that refers to it.
   return database.Execute("PRAGMA foreign_keys = ON;");

@@ -40,9 +40,10 @@ absl::Status HasEndedError(std::string_view id) {
 
 }  // namespace
 
-absl::StatusOr<std::unique_ptr<SqliteStore>> SqliteStore::Open(const std::string& path) {
+absl::StatusOr<std::unique_ptr<SqliteStore>> SqliteStore::Open(const std::string& path,
+                                                               Synchronous synchronous) {
   CELT_ASSIGN_OR_RETURN(std::unique_ptr<Database> database, Database::Open(path));
-  CELT_RETURN_IF_ERROR(PrepareSchema(*database));
+  CELT_RETURN_IF_ERROR(PrepareSchema(*database, synchronous));
   return std::unique_ptr<SqliteStore>(new SqliteStore(std::move(database)));
 }
 
@@ -125,6 +126,9 @@ absl::StatusOr<StoreStats> SqliteStore::Stats() const {
         return true;
       }));
   CELT_ASSIGN_OR_RETURN(stats.bytes, UsedBytes(*database_));
+  CELT_ASSIGN_OR_RETURN(const std::int64_t synchronous,
+                        database_->QueryInt("PRAGMA synchronous", {}));
+  stats.synchronous = static_cast<Synchronous>(synchronous);
   return stats;
 }
 

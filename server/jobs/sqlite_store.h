@@ -10,12 +10,13 @@
 namespace celt::jobs {
 
 /// A JobStore in an SQLite file (write-ahead log) or in memory. Every call is one transaction. What
-/// a call has committed survives the death of the process at any moment; a power cut may take the
-/// last commits with it, never the file. One process at a time: see DataDir.
+/// a call has committed survives the death of the process at any moment, and a power cut as
+/// Synchronous says. One process at a time: see DataDir.
 class SqliteStore final : public JobStore {
  public:
   /// `path` of a file, made if there is none, or ":memory:". Errors as of PrepareSchema.
-  static absl::StatusOr<std::unique_ptr<SqliteStore>> Open(const std::string& path);
+  static absl::StatusOr<std::unique_ptr<SqliteStore>> Open(
+      const std::string& path, Synchronous synchronous = Synchronous::kNormal);
 
   absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
                              const absl::Status& room) override;

@@ -68,9 +68,16 @@ struct Retention {
   std::int64_t bytes = std::numeric_limits<std::int64_t>::max();
 };
 
+/// What survives a power cut. The death of the process takes nothing, either way.
+enum class Synchronous {
+  kNormal = 1,  ///< the store is sound; the last commits may be gone
+  kFull = 2,    ///< every commit that was answered, where the disk keeps its word
+};
+
 struct StoreStats {
   std::map<JobState, std::int64_t> jobs;
-  std::int64_t bytes = 0;  ///< that are in use; the file may be larger
+  std::int64_t bytes = 0;                          ///< that are in use; the file may be larger
+  Synchronous synchronous = Synchronous::kNormal;  ///< as the medium says
 };
 
 struct JobPage {

@@ -58,6 +58,17 @@ struct Metrics::Families {
                                    .Name("celt_store_bytes")
                                    .Help("Size of what is in the job store")
                                    .Register(registry);
+  Family<Gauge>& store_synchronous =
+      prometheus::BuildGauge()
+          .Name("celt_store_synchronous")
+          .Help("What survives a power cut: 1, all but the last commits; 2, all")
+          .Register(registry);
+  Family<Gauge>& paces = prometheus::BuildGauge()
+                             .Name("celt_pace_seconds")
+                             .Help(
+                                 "What a thread lately took for an iterate, or else for a unit of "
+                                 "work, by kind of job: what estimates go by")
+                             .Register(registry);
 };
 
 Metrics::Metrics() : families_(std::make_unique<Families>()) {
@@ -86,6 +97,8 @@ std::string Metrics::Text(const Snapshot& snapshot) {
   families_->active.Add({}).Set(snapshot.active_jobs);
   families_->streams.Add({}).Set(snapshot.streams);
   families_->store_bytes.Add({}).Set(snapshot.store_bytes);
+  families_->store_synchronous.Add({}).Set(snapshot.store_synchronous);
+  for (const auto& [kind, pace] : snapshot.paces) families_->paces.Add({{"kind", kind}}).Set(pace);
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());
 }
 

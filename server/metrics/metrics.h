@@ -17,6 +17,8 @@ struct Snapshot {
   double active_jobs = 0;              ///< in memory: running, or in the queue for a thread
   double streams = 0;                  ///< open
   double store_bytes = 0;
+  double store_synchronous = 0;              ///< 1: normal, 2: full
+  std::map<std::string, double> paces = {};  ///< by kind of job: seconds for an effort of 1
 };
 
 /// The numbers of a server, in Prometheus' format. Safe to use from many threads.

@@ -52,6 +52,15 @@ TEST_F(ServerTest, TheExampleOfAConfigurationIsAsTheDefaultsAre) {
   EXPECT_EQ(run.code, 0) << run.err;
 }
 
+TEST_F(ServerTest, WaitsForTheDiskAsItIsTold) {
+  const auto metrics = [&](const Arguments& arguments) {
+    const Daemon daemon(directory_.path() + "/data", 1, "127.0.0.1:0", arguments);
+    return httplib::Client("http://" + daemon.http()).Get("/metrics")->body;
+  };
+  EXPECT_THAT(metrics({}), HasSubstr("celt_store_synchronous 1\n"));
+  EXPECT_THAT(metrics({"--store-synchronous", "full"}), HasSubstr("celt_store_synchronous 2\n"));
+}
+
 TEST_F(ServerTest, RefusesWhatItsLimitsForbid) {
   const std::string file = WriteConfig("[limits]\niterates = 5000\nunfinished_jobs = 1\n");
   const Daemon daemon(directory_.path() + "/data", 1, "127.0.0.1:0", {"--config", file});

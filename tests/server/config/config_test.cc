@@ -55,6 +55,8 @@ TEST_F(ConfigTest, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(Error("[log]\nlevel = 'loud'\n"),
             "2: log.level: loud is not allowed; it is one of trace, debug, info, warning, error, "
             "critical");
+  EXPECT_EQ(Error("[store]\nsynchronous = 'off'\n"),
+            "2: store.synchronous: off is not allowed; it is one of normal, full");
   EXPECT_THAT(Error("workers = 1\nlisten = \n"), ::testing::StartsWith("2: "));
 }
 

@@ -40,6 +40,16 @@ void ExpectRefused(const std::string& path, absl::StatusCode code, const std::st
   EXPECT_EQ(ReadFile(path), before);
 }
 
+TEST(Schema, WaitsForTheDiskAsItIsTold) {
+  const TemporaryDirectory temporary;
+  for (const Synchronous synchronous :
+       {Synchronous::kFull, Synchronous::kNormal, Synchronous::kFull}) {
+    const auto store = SqliteStore::Open(temporary / "jobs.sqlite", synchronous);
+    ASSERT_TRUE(store.ok()) << store.status();
+    EXPECT_EQ((*store)->Stats()->synchronous, synchronous);
+  }
+}
+
 TEST(Schema, OfANewFileIsMadeOnceAndFoundAgain) {
   const TemporaryDirectory temporary;
   for (int i = 0; i < 2; ++i) {

@@ -15,14 +15,19 @@ TEST(Metrics, TellWhatWasCounted) {
   metrics.CountCall("GetJob", absl::StatusCode::kNotFound, absl::Milliseconds(2));
   metrics.CountUnit(absl::Milliseconds(200), 1000, "iterates");
   metrics.CountUnit(absl::Milliseconds(200), 500, "iterates");
-  const std::string text =
-      metrics.Text({.jobs = {{"running", 2}}, .active_jobs = 3, .streams = 4, .store_bytes = 4096});
+  const std::string text = metrics.Text({.jobs = {{"running", 2}},
+                                         .active_jobs = 3,
+                                         .streams = 4,
+                                         .store_bytes = 4096,
+                                         .store_synchronous = 2,
+                                         .paces = {{"lyapunov/henon3d", 0.5}}});
   for (const char* line :
        {"celt_calls_total{code=\"NOT_FOUND\",method=\"GetJob\"} 1\n",
         "celt_call_seconds_bucket{method=\"GetJob\",le=\"0.003\"} 1\n",
         "celt_unit_seconds_count 2\n", "celt_work_total{unit=\"iterates\"} 1500\n",
         "celt_store_errors_total 0\n", "celt_jobs{state=\"running\"} 2\n", "celt_active_jobs 3\n",
-        "celt_streams 4\n", "celt_store_bytes 4096\n"}) {
+        "celt_streams 4\n", "celt_store_bytes 4096\n", "celt_store_synchronous 2\n",
+        "celt_pace_seconds{kind=\"lyapunov/henon3d\"} 0.5\n"}) {
     EXPECT_THAT(text, HasSubstr(line));
   }
 }
