@@ -21,16 +21,19 @@ bool Parse(std::string_view text, Number& number) {
 }  // namespace
 
 std::string Encode(const PageToken& token) {
-  return absl::StrCat(absl::Hex(token.before_serial), ".", absl::Hex(token.states));
+  return absl::StrCat(absl::Hex(token.created), ".", absl::Hex(token.states), ".", token.id);
 }
 
 absl::StatusOr<PageToken> DecodePageToken(std::string_view text) {
   PageToken token;
-  const std::size_t dot = text.find('.');
-  if (dot == std::string_view::npos || !Parse(text.substr(0, dot), token.before_serial) ||
-      !Parse(text.substr(dot + 1), token.states)) {
+  const std::size_t first = text.find('.');
+  const std::size_t second = first == std::string_view::npos ? first : text.find('.', first + 1);
+  if (second == std::string_view::npos || second + 1 == text.size() ||
+      !Parse(text.substr(0, first), token.created) ||
+      !Parse(text.substr(first + 1, second - first - 1), token.states)) {
     return absl::InvalidArgumentError("page_token: not one that this server gave");
   }
+  token.id = text.substr(second + 1);
   return token;
 }
 

@@ -15,7 +15,7 @@ constexpr std::int64_t kApplicationId = 0x43454c54;
 
 /// Each entry leads from the schema of its index to the next. Never change one that was released:
 /// append.
-constexpr std::array<const char*, 4> kMigrations = {
+constexpr std::array<const char*, 5> kMigrations = {
     R"sql(
   CREATE TABLE jobs (
     serial INTEGER PRIMARY KEY AUTOINCREMENT,  -- the order of creation
@@ -105,6 +105,9 @@ constexpr std::array<const char*, 4> kMigrations = {
     R"sql(
   ALTER TABLE jobs ADD COLUMN dropped INTEGER NOT NULL DEFAULT 0;  -- records up to this one
   CREATE INDEX jobs_by_end ON jobs (ended);
+)sql",
+    R"sql(
+  CREATE INDEX jobs_by_creation ON jobs (created);
 )sql"};
 constexpr std::int64_t kSchema = kMigrations.size();
 

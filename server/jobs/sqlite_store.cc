@@ -28,7 +28,7 @@ Value OwnerOrNull(const JobFilter& filter) {
 
 absl::StatusOr<PageToken> FirstOrNext(const JobFilter& filter, std::string_view text) {
   const std::uint32_t states = StateBits(filter);
-  if (text.empty()) return PageToken{std::numeric_limits<std::int64_t>::max(), states};
+  if (text.empty()) return PageToken{std::numeric_limits<std::int64_t>::max(), states, ""};
   CELT_ASSIGN_OR_RETURN(const PageToken token, DecodePageToken(text));
   if (token.states == states) return token;
   return absl::InvalidArgumentError("page_token: given for another filter of states");
@@ -77,24 +77,24 @@ absl::StatusOr<JobPage> SqliteStore::List(const JobFilter& filter, int page_size
   CELT_ASSIGN_OR_RETURN(const PageToken from, FirstOrNext(filter, page_token));
   const std::lock_guard lock(mutex_);
   JobPage page;
-  std::int64_t last = 0;
   // One row more than asked for tells whether there is a next page.
-  CELT_RETURN_IF_ERROR(
-      database_->Query("SELECT " CELT_JOB_COLUMNS
-                       " FROM jobs WHERE serial < ?1 AND (?2 = 0 OR (?2 >> state) & 1) "
-                       "AND (?4 IS NULL OR owner = ?4) ORDER BY serial DESC LIMIT ?3",
-                       {from.before_serial, std::int64_t{from.states}, std::int64_t{page_size} + 1,
-                        OwnerOrNull(filter)},
-                       [&](const Row& row) {
-                         JobRow job = ToJobRow(row);
-                         if (std::ssize(page.jobs) == page_size) {
-                           page.next_page_token = Encode(PageToken{last, from.states});
-                           return false;
-                         }
-                         last = job.serial;
-                         page.jobs.push_back(std::move(job.job));
-                         return true;
-                       }));
+  CELT_RETURN_IF_ERROR(database_->Query(
+      "SELECT " CELT_JOB_COLUMNS
+      " FROM jobs WHERE created <= ?1 AND (created < ?1 OR serial < "
+      "ifnull((SELECT serial FROM jobs WHERE id = ?5), 0)) "
+      "AND (?2 = 0 OR (?2 >> state) & 1) "
+      "AND (?4 IS NULL OR owner = ?4) ORDER BY created DESC, serial DESC LIMIT ?3",
+      {from.created, std::int64_t{from.states}, std::int64_t{page_size} + 1, OwnerOrNull(filter),
+       std::string_view(from.id)},
+      [&](const Row& row) {
+        if (std::ssize(page.jobs) == page_size) {
+          const Job& last = page.jobs.back();
+          page.next_page_token = Encode({ToNanos(last.created), from.states, last.id});
+          return false;
+        }
+        page.jobs.push_back(ToJobRow(row).job);
+        return true;
+      }));
   return page;
 }
 

@@ -36,8 +36,8 @@ void TakePageToken(std::string_view text) {
   const auto token = jobs::DecodePageToken(text);
   if (!token.ok()) return;
   const auto again = jobs::DecodePageToken(jobs::Encode(*token));
-  Require(again.ok() && again->before_serial == token->before_serial &&
-          again->states == token->states);
+  Require(again.ok() && again->created == token->created && again->states == token->states &&
+          again->id == token->id);
 }
 
 constexpr std::int64_t kRecords = 5;

@@ -55,6 +55,35 @@ TEST_F(SqliteStoreTest, ListsTheNewestFirstPageByPage) {
   EXPECT_EQ(third->next_page_token, "");
 }
 
+TEST_F(SqliteStoreTest, GoesOnWithAListThoughTheLastJobOfAPageWasDeleted) {
+  for (int i = 0; i < 4; ++i) {
+    Job job = NewJob(absl::StrCat("job", i));
+    job.created += absl::Nanoseconds(i);
+    ASSERT_TRUE(store_->Create(job, "", Reuse::kNothing, absl::OkStatus()).ok());
+  }
+  const std::string token = store_->List({}, 2, "")->next_page_token;
+  ASSERT_TRUE(store_->Delete("job2").ok());
+  EXPECT_THAT(Ids(store_->List({}, 2, token)->jobs), ElementsAre("job1", "job0"));
+}
+
+TEST_F(SqliteStoreTest, PageTokensOfAnOwnerTellNothingOfOthers) {
+  const JobFilter anna{"anna", {}};
+  std::vector<std::string> tokens;
+  for (const int others : {0, 1, 100}) {
+    const auto store = SqliteStore::Open(":memory:");
+    const auto add = [&](const std::string& id, const std::string& owner) {
+      Job job = NewJob(id);
+      job.owner = owner;
+      ASSERT_TRUE((*store)->Create(job, "", Reuse::kNothing, absl::OkStatus()).ok());
+    };
+    for (int i = 0; i < others; ++i) add(absl::StrCat("other", i), "boris");
+    add("a", "anna");
+    add("b", "anna");
+    tokens.push_back((*store)->List(anna, 1, "")->next_page_token);
+  }
+  EXPECT_THAT(tokens, ElementsAre(tokens[0], tokens[0], tokens[0]));
+}
+
 TEST_F(SqliteStoreTest, HasNoNextPageWhenThisOneIsJustFull) {
   Add("a");
   Add("b");
