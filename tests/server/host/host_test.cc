@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "absl/synchronization/notification.h"
@@ -10,11 +11,14 @@
 #include "grpcpp/generic/generic_stub.h"
 #include "gtest/gtest.h"
 #include "host/host_testing.h"
+#include "httplib.h"
+#include "server/api/error_details.pb.h"
 #include "temporary_directory.h"
 
 namespace celt::host {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
@@ -45,6 +49,124 @@ std::string AskHealth(Host& host) {
 TEST(Host, TellsHealthChecksThatItServes) {
   const auto host = StartHost();
   EXPECT_EQ(AskHealth(*host), "\x08\x01");  // status: SERVING
+}
+
+/// What a health check that watches is told before and while a host drains; empty when nothing.
+std::vector<std::string> WatchHealthOverADrain() {
+  const auto host = StartHost();
+  grpc::GenericStub stub(host->InProcessChannel());
+  grpc::CompletionQueue queue;
+  const auto next = [&queue] {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue.Next(&tag, &ok) && ok;
+  };
+  grpc::ClientContext context;
+  const auto watch = stub.PrepareCall(&context, "/grpc.health.v1.Health/Watch", &queue);
+  watch->StartCall(nullptr);
+  next();
+  const grpc::Slice question(
+      "\x0a\x0c"
+      "celt.v1.Celt");
+  watch->WriteLast(grpc::ByteBuffer(&question, 1), {}, nullptr);
+  next();
+  const auto read = [&] {
+    grpc::ByteBuffer answer;
+    grpc::Slice bytes;
+    watch->Read(&answer, nullptr);
+    if (!next() || !answer.DumpToSingleSlice(&bytes).ok()) return std::string();
+    return std::string(bytes.begin(), bytes.end());
+  };
+  std::vector<std::string> told = {read()};
+  std::thread drain([&] { host->Drain(absl::InfiniteDuration()); });
+  told.push_back(read());
+  context.TryCancel();
+  grpc::Status status;
+  watch->Finish(&status, nullptr);
+  next();
+  drain.join();
+  return told;
+}
+
+TEST(Host, TellsHealthChecksThatItServesNoMoreWhileItDrains) {
+  // gRPC says nothing to one whose first answer is still on its way within the server.
+  constexpr int kTries = 10;
+  std::vector<std::string> told;
+  for (int i = 0; i < kTries && (told.empty() || told.back().empty()); ++i) {
+    told = WatchHealthOverADrain();
+  }
+  EXPECT_THAT(told, ElementsAre("\x08\x01", "\x08\x02"));  // SERVING, NOT_SERVING
+}
+
+TEST(Host, IsAliveButNotReadyOnceItDrains) {
+  HostOptions options;
+  options.http = "127.0.0.1:0";
+  const auto host = Host::Start(options);
+  ASSERT_TRUE(host.ok()) << host.status();
+  httplib::Client http("http://" + (*host)->http_address());
+  EXPECT_EQ(http.Get("/readyz")->status, 200);
+  (*host)->Drain(absl::ZeroDuration());
+  EXPECT_EQ(http.Get("/readyz")->status, 503);
+  EXPECT_EQ(http.Get("/livez")->status, 200);
+}
+
+/// Asks until the answer is what it is to become; it becomes that soon, or the host is broken.
+template <class Ask>
+bool Becomes(grpc::StatusCode code, Ask ask) {
+  constexpr int kPatience = 10'000;
+  for (int i = 0; i < kPatience; ++i) {
+    if (ask().error_code() == code) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+TEST(Host, DropsWhatNeedNotBeKept) {
+  const TemporaryDirectory temporary;
+  HostOptions options;
+  options.data_dir = temporary.path();
+  std::string id;
+  const auto start = [&](std::unique_ptr<Host>& host) {
+    host.reset();
+    auto started = Host::Start(options);
+    ASSERT_TRUE(started.ok()) << started.status();
+    host = *std::move(started);
+  };
+  std::unique_ptr<Host> host;
+  start(host);
+  auto stub = v1::Celt::NewStub(host->InProcessChannel());
+  id = Submit(*stub, kShort).id();
+  ASSERT_TRUE(Results(*stub, id).ReadAll().ok());
+
+  options.retention.records = absl::ZeroDuration();
+  start(host);
+  stub = v1::Celt::NewStub(host->InProcessChannel());
+  const auto read = [&](std::int64_t after) { return Results(*stub, id, after).ReadAll(); };
+  EXPECT_TRUE(Becomes(grpc::StatusCode::OUT_OF_RANGE, [&] { return read(0); }));
+  EXPECT_TRUE(read(64).ok()) << "the result is kept";
+
+  options.retention.jobs = absl::ZeroDuration();
+  start(host);
+  stub = v1::Celt::NewStub(host->InProcessChannel());
+  v1::Job job;
+  EXPECT_TRUE(Becomes(grpc::StatusCode::NOT_FOUND, [&] { return Get(*stub, id, &job); }));
+}
+
+TEST(Host, SaysWhenToComeBackWhenItsQueueIsFull) {
+  HostOptions options;
+  options.job_limits.unfinished = 1;
+  const auto host = Host::Start(options);
+  ASSERT_TRUE(host.ok()) << host.status();
+  const auto stub = v1::Celt::NewStub((*host)->InProcessChannel());
+  Submit(*stub, kEndless);
+  const grpc::Status full = TrySubmit(*stub, kShort);
+  EXPECT_EQ(full.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  google::rpc::Status details;
+  ASSERT_TRUE(details.ParseFromString(full.error_details()));
+  google::rpc::RetryInfo retry;
+  ASSERT_EQ(details.details_size(), 1);
+  ASSERT_TRUE(details.details(0).UnpackTo(&retry));
+  EXPECT_GT(retry.retry_delay().seconds(), 0);
 }
 
 TEST(Host, ListensOnAFreePortAndSaysWhich) {
