@@ -73,10 +73,12 @@ absl::StatusOr<StoneOrbit> StartOrbit(const CelticStone& stone, const StoneState
     return absl::InvalidArgumentError(absl::StrCat(
         "gamma: gamma3 = ", start[5], " is not allowed; |gamma3| must be at least ", kLeastGamma3));
   }
-  return StoneOrbit{.state = PlaceAtOrigin(start),
-                    .record = 0,
-                    .start_energy = stone.Energy(start),
-                    .ended = false};
+  const double energy = stone.Energy(start);
+  if (!std::isfinite(energy)) {
+    return absl::InvalidArgumentError("M: is too large; the energy must be finite");
+  }
+  return StoneOrbit{
+      .state = PlaceAtOrigin(start), .record = 0, .start_energy = energy, .ended = false};
 }
 
 absl::StatusOr<std::int64_t> CountRecords(const OrbitOptions& options) {

@@ -49,8 +49,8 @@ struct OrbitOptions {
   Direction direction = Direction::kForward;
 };
 
-/// Starts an orbit. INVALID_ARGUMENT: M or γ is not finite, |γ| differs from 1 by more than 10⁻⁶
-/// (what differs less is normalised), or |γ₃| < kLeastGamma3.
+/// Starts an orbit. INVALID_ARGUMENT: M, γ or the energy is not finite, |γ| differs from 1 by more
+/// than 10⁻⁶ (what differs less is normalised), or |γ₃| < kLeastGamma3.
 absl::StatusOr<StoneOrbit> StartOrbit(const CelticStone& stone, const StoneState& state);
 
 /// Called with each record; false stops the orbit there (CANCELLED).

@@ -176,6 +176,8 @@ TEST(Orbit, BadOptionsAndStartsAreRefused) {
   EXPECT_FALSE(StartOrbit(kStone, state).ok()) << "gamma3 = 0";
   state[0] = std::nan("");
   EXPECT_FALSE(StartOrbit(kStone, state).ok());
+  state << 1e200, 0, 0, 0, 0, 1;
+  EXPECT_FALSE(StartOrbit(kStone, state).ok()) << "an energy that is not finite";
 }
 
 TEST(Orbit, StopsWhenTold) {

@@ -139,6 +139,7 @@ TEST(OrbitSpec, RefusesWhatMakesNoSense) {
            BadSpecification{"orbit { state: [1, 2, 3, 1, 1, 1] }", "state:", "|gamma|"},
            BadSpecification{"orbit { state: [1, 2, 3, 1, 0, 0] }", "state:", "gamma3"},
            BadSpecification{"orbit { state: [nan, 2, 3, 0, 0, 1] }", "state:", "finite"},
+           BadSpecification{"orbit { state: [0, 0, 1e200, 0, 0, 1] }", "state:", "finite"},
            BadSpecification{"orbit { state: [1, 2, 3, 0, 0, 1] start { l: 1 } }",
                             "state:", "start"},
            BadSpecification{"system { parameters { key: 'inertia_3' value: 9 } } "
