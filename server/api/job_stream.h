@@ -129,7 +129,12 @@ class JobStream : public grpc::ServerWriteReactor<Message>,
   }
 
   void Write(Message message) {
-    message_ = std::move(message);
+    {
+      // Hands all that Look has touched to the thread that OnWriteDone will be on, also in the eyes
+      // of the thread sanitizer, which does not see how gRPC does.
+      const std::lock_guard lock(mutex_);
+      message_ = std::move(message);
+    }
     this->StartWrite(&message_);
   }
 
