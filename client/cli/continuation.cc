@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "absl/strings/ascii.h"
 #include "absl/strings/str_cat.h"
 #include "client/cli/continuation_table.h"
 #include "client/cli/cycle_text.h"
@@ -15,6 +16,14 @@ namespace celt::cli {
 namespace {
 
 constexpr char kGroup[] = "Continuation";
+
+/// The first bifurcation of a type; nullptr: there is none.
+const v1::Bifurcation* First(const v1::ContinuationResult& branches, int type) {
+  for (const v1::Bifurcation& met : branches.bifurcations()) {
+    if (met.type() == type) return &met;
+  }
+  return nullptr;
+}
 
 class Continuation : public Analysis {
  public:
@@ -83,6 +92,27 @@ class Continuation : public Analysis {
     return row;
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
+
+  /// Of each kind of bifurcation the first on the way.
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    const v1::ContinuationResult& branches = result.continuation();
+    CsvRow row = {{"bifurcations", absl::StrCat(branches.bifurcations_size())}};
+    for (int type = v1::BifurcationType_MIN + 1; v1::BifurcationType_IsValid(type); ++type) {
+      const v1::Bifurcation* const met = First(branches, type);
+      const std::string name =
+          absl::AsciiStrToLower(v1::BifurcationType_Name(static_cast<v1::BifurcationType>(type)));
+      row.emplace_back(name, met != nullptr ? Shortest(met->value()) : "");
+      row.emplace_back(name + "_criticality", met != nullptr ? met->criticality() : "");
+    }
+    const bool any = branches.branches_size() > 0;
+    row.emplace_back("to", any ? Shortest(branches.branches(0).to()) : "");
+    row.emplace_back("end", any ? branches.branches(0).end() : "");
+    return row;
+  }
+
+  std::string Brief(const v1::Result& result) const override {
+    return ContinuationBrief(result.continuation());
+  }
 
   std::string Line(const v1::Record& record) const override { return ContinuationLine(record); }
   std::string Table(const v1::Job& job, const v1::Result& result) const override {

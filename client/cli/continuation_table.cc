@@ -98,6 +98,16 @@ std::string ContinuationLine(const v1::Record& record) {
                       "\n");
 }
 
+std::string ContinuationBrief(const v1::ContinuationResult& result) {
+  std::vector<std::string> parts;
+  for (const v1::Bifurcation& bifurcation : result.bifurcations()) {
+    parts.push_back(absl::StrCat(v1::BifurcationType_Name(bifurcation.type()), " at ",
+                                 Decimals(bifurcation.value(), kValueDecimals)));
+  }
+  for (const v1::BranchSummary& branch : result.branches()) parts.push_back(branch.end());
+  return absl::StrJoin(parts, "; ");
+}
+
 std::string ContinuationTable(const v1::JobSpec& spec, const v1::ContinuationResult& result) {
   const v1::ContinuationSpec& asked = spec.continuation();
   const std::string parameter = asked.parameter().empty() ? "parameter" : asked.parameter();

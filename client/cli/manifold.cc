@@ -92,6 +92,33 @@ class Manifold : public Analysis {
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
 
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    const v1::ManifoldResult& manifold = result.manifold();
+    CsvRow row = {{"saddle", manifold.saddle().type()}};
+    for (int i = 0; i < 2; ++i) {
+      const bool there = i < manifold.sides_size();
+      const v1::ManifoldSide& side =
+          there ? manifold.sides(i) : v1::ManifoldSide::default_instance();
+      const v1::SeparatrixFate& fate = side.fate();
+      const std::string name = i == 0 ? "plus_" : "minus_";
+      row.emplace_back(name + "length", there ? Shortest(side.length()) : "");
+      row.emplace_back(name + "end", side.end());
+      row.emplace_back(name + "fate", fate.end());
+      row.emplace_back(name + "fate_side", there ? absl::StrCat(fate.side()) : "");
+      row.emplace_back(name + "fate_changes", there ? absl::StrCat(fate.changes()) : "");
+    }
+    return row;
+  }
+
+  std::string Brief(const v1::Result& result) const override {
+    const v1::ManifoldResult& manifold = result.manifold();
+    std::string text = manifold.saddle().type();
+    for (const v1::ManifoldSide& side : manifold.sides()) {
+      absl::StrAppend(&text, "; ", SideText(side.side()), " ", FateText(side.fate()));
+    }
+    return text;
+  }
+
   std::string Table(const v1::Job& job, const v1::Result& result) const override {
     const v1::ManifoldResult& manifold = result.manifold();
     const bool stable = job.spec().manifold().stable();

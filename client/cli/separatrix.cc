@@ -83,6 +83,20 @@ class Separatrix : public Analysis {
   }
   CsvRow Csv(const v1::Result&) const override { return {}; }
 
+  CsvRow NodeCsv(const v1::Result& result) const override {
+    const v1::SeparatrixResult& bracket = result.separatrix();
+    const bool there = bracket.has_value();
+    return {{"switches_at", there ? Shortest(bracket.value()) : ""},
+            {"switches_at_error", there ? Shortest(bracket.error()) : ""},
+            {"yes_end", bracket.yes_fate().end()},
+            {"no_end", bracket.no_fate().end()}};
+  }
+
+  std::string Brief(const v1::Result& result) const override {
+    const v1::SeparatrixResult& bracket = result.separatrix();
+    return absl::StrCat("switches at ", WithError(bracket.value(), bracket.error()));
+  }
+
   std::string Line(const v1::Record& record) const override {
     const v1::SeparatrixRecord& looked = record.separatrix();
     return absl::StrFormat("%17s  %-3s  %s\n", Decimals(looked.value(), kDecimals),

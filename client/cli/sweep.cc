@@ -8,14 +8,17 @@
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
+#include "client/cli/continuation.h"
 #include "client/cli/fixed_point.h"
 #include "client/cli/format.h"
 #include "client/cli/hyperbolicity.h"
 #include "client/cli/lyapunov.h"
+#include "client/cli/manifold.h"
 #include "client/cli/option.h"
 #include "client/cli/parse.h"
 #include "client/cli/regime.h"
 #include "client/cli/section.h"
+#include "client/cli/separatrix.h"
 #include "client/cli/text_table.h"
 #include "google/protobuf/descriptor.h"
 #include "google/protobuf/message.h"
@@ -72,6 +75,9 @@ class Sweep : public Analysis {
     inner_.push_back(MakeLyapunov());
     inner_.push_back(MakeSection());
     inner_.push_back(MakeFixedPoint());
+    inner_.push_back(MakeContinuation());
+    inner_.push_back(MakeManifold());
+    inner_.push_back(MakeSeparatrix());
     inner_.push_back(MakeHyperbolicity());
   }
 

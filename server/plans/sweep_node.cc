@@ -51,9 +51,10 @@ absl::StatusOr<v1::Result> ResultOf(v1::JobSpec& node, const jobs::StopRequested
   return Parse<v1::Result>(result);
 }
 
-/// Pairs and pictures are for a job of its own.
+/// Pairs, points and pictures are for a job of its own.
 void DropPictures(v1::Result& result) {
   if (result.has_hyperbolicity()) result.mutable_hyperbolicity()->clear_lmp_graph();
+  if (result.has_continuation()) result.mutable_continuation()->clear_branch();
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ double NodeWork(v1::JobSpec node) {
   const auto analysis = FindAnalysis(node);
   if (!analysis.ok()) return 0;
   const auto plan = analysis->make_plan(node);
-  return plan.ok() ? (*plan)->work().total : 0;
+  return plan.ok() ? analysis->iterates_per_work * (*plan)->work().total : 0;
 }
 
 absl::Status RunNode(v1::JobSpec node, const jobs::StopRequested& stop, v1::SweepRecord& record) {

@@ -110,6 +110,23 @@ v1::SweepRecord Sample(const std::string& analysis) {
     cycle.add_multipliers()->set_re(2);
     cycle.set_type("saddle 2-1");
   }
+  if (analysis == "continuation") {
+    v1::Bifurcation& fold = *sweep.mutable_continuation()->add_bifurcations();
+    fold.set_type(v1::FOLD);
+    fold.set_value(0.75);
+    sweep.mutable_continuation()->add_branches()->set_end("reached the end");
+  }
+  if (analysis == "manifold") {
+    for (const int side : {1, -1}) {
+      v1::ManifoldSide& half = *sweep.mutable_manifold()->add_sides();
+      half.set_side(side);
+      half.mutable_fate()->set_end("wanders");
+    }
+  }
+  if (analysis == "separatrix") {
+    sweep.mutable_separatrix()->set_value(748.44);
+    sweep.mutable_separatrix()->set_error(0.01);
+  }
   if (analysis == "hyperbolicity") {
     sweep.mutable_hyperbolicity()->set_verdict(v1::TANGENCIES);
     sweep.mutable_hyperbolicity()->set_minimum_angle(0.125);
@@ -118,7 +135,8 @@ v1::SweepRecord Sample(const std::string& analysis) {
 }
 
 TEST(SweepCsv, EveryAnalysisHasTheSameColumnsAtANodeThatFailed) {
-  for (const std::string analysis : {"section", "fixed_point", "hyperbolicity"}) {
+  for (const std::string analysis :
+       {"section", "fixed_point", "continuation", "manifold", "separatrix", "hyperbolicity"}) {
     const auto sweep = MakeSweep();
     v1::Record good;
     *good.mutable_sweep() = Sample(analysis);
@@ -136,6 +154,17 @@ TEST(SweepTable, HasALineForEachNode) {
   const auto sweep = MakeSweep();
   EXPECT_EQ(sweep->Line(RecordOf(0, false)), "  0.5  Λ   0.25000   0.00000  -0.50000  not told\n");
   EXPECT_EQ(sweep->Line(RecordOf(1, true)), "  0.5  ✗ lost\n");
+}
+
+TEST(SweepTable, SaysOfBranchesAndSeparatricesWhereTheyChange) {
+  const auto line = [](const std::string& analysis) {
+    v1::Record record;
+    *record.mutable_sweep() = Sample(analysis);
+    record.mutable_sweep()->add_values(0.5);
+    return MakeSweep()->Line(record);
+  };
+  EXPECT_EQ(line("continuation"), "  0.5  FOLD at 0.7500000000; reached the end\n");
+  EXPECT_EQ(line("separatrix"), "  0.5  switches at 748.440 ± 0.010\n");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "gtest/gtest.h"
 #include "plans/plan_testing.h"
 #include "server/plans/run_plan.h"
+#include "server/plans/sweep_grid.h"
 
 namespace celt::plans {
 namespace {
@@ -33,6 +34,30 @@ TEST(SweepPlan, GivesEachNodeTheAnswerOfAJobOfItsOwn) {
   EXPECT_EQ(sweep.result.sweep().nodes(), 10);
   EXPECT_EQ(sweep.result.sweep().failed(), 0);
   EXPECT_EQ(sweep.work, 10);
+}
+
+TEST(SweepPlan, TakesEveryAnalysisThatGivesNumbers) {
+  const std::string stone = "numerics { engine: ENGINE_FAST tolerance: 1e-10 } ";
+  const std::string axis = "axes { parameter: 'delta' from: 0.484 to: 0.485 nodes: 2 } ";
+  const std::vector<std::string> analyses = {"lyapunov { iterates: 32 transient: 10 }",
+                                             "section { iterates: 5 transient: 5 }",
+                                             "fixed_point {}",
+                                             "continuation { to: 751.9 }",
+                                             "manifold { length: 0.05 }",
+                                             "separatrix { from: 748.3 to: 748.6 width: 0.05 }",
+                                             "hyperbolicity { iterates: 400 transient: 50 }"};
+  for (const std::string& analysis : analyses) {
+    const PlanRun sweep = RunPlan("sweep { " + axis + analysis + " } " + stone);
+    ASSERT_EQ(sweep.records.size(), 2U) << analysis;
+    v1::Result alone = RunPlan(analysis + stone).result;  // delta is 0.485 by default
+    if (alone.has_hyperbolicity()) alone.mutable_hyperbolicity()->clear_lmp_graph();
+    if (alone.has_continuation()) alone.mutable_continuation()->clear_branch();
+    v1::SweepRecord last;
+    last.set_node(1);
+    last.add_values(0.485);
+    ASSERT_TRUE(PutOutcome(alone, last)) << analysis;
+    EXPECT_EQ(Serialize(sweep.records[1].sweep()), Serialize(last)) << analysis;
+  }
 }
 
 TEST(SweepPlan, VariesTheFirstAxisFastestAndHitsTheEnds) {
@@ -123,6 +148,20 @@ TEST(SweepPlan, KeepsAUnitToAboutASecond) {
   };
   EXPECT_EQ(chains("iterates: 900 orbits: 1 transient: 100"), 100'000);
   EXPECT_EQ(chains("iterates: 900000 orbits: 1 transient: 100"), 10'000'000);
+}
+
+TEST(SweepPlan, KeepsUnitsShortWhereTheAnalysisCountsNoIterates) {
+  const auto chains = [](const std::string& analysis) {
+    const auto plan = MakePlan(Serialize(Resolved(
+        "sweep { axes { parameter: 'delta' from: 0.48 to: 0.49 nodes: 1000 } " + analysis + " }")));
+    return (*plan)->chains();
+  };
+  // These take from milliseconds to seconds each.
+  EXPECT_EQ(chains("fixed_point {}"), 5);
+  EXPECT_EQ(chains("fixed_point { search: 200 }"), 1000);
+  EXPECT_EQ(chains("continuation { to: 747 }"), 100);
+  EXPECT_EQ(chains("manifold {}"), 1000);
+  EXPECT_EQ(chains("separatrix { from: 748.4 to: 748.5 }"), 1000);
 }
 
 TEST(SweepPlan, TakesTheToleranceOfTheAnalysis) {
