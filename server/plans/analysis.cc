@@ -41,7 +41,7 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
     case v1::JobSpec::kHyperbolicity:
       return Analysis{ResolveHyperbolicity, MakeHyperbolicityPlan};
     case v1::JobSpec::kManifold:
-      return Analysis{ResolveManifold, MakeManifoldPlan, Numerics().tolerance, 50'000};
+      return Analysis{ResolveManifold, MakeManifoldPlan};
     case v1::JobSpec::kOrbit:
       return Analysis{ResolveOrbit, MakeOrbitPlan};
     case v1::JobSpec::kSection:
@@ -51,11 +51,11 @@ absl::StatusOr<Analysis> FindAnalysis(const v1::JobSpec& spec) {
     case v1::JobSpec::kSweep:
       return Analysis{ResolveSweep, MakeSweepPlan, ToleranceOfNodes(spec)};
     case v1::JobSpec::kFixedPoint:
-      return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance, 500};
+      return Analysis{ResolveFixedPoint, MakeFixedPointPlan, kFineTolerance};
     case v1::JobSpec::kContinuation:
-      return Analysis{ResolveContinuation, MakeContinuationPlan, kFineTolerance, 100};
+      return Analysis{ResolveContinuation, MakeContinuationPlan, kFineTolerance};
     case v1::JobSpec::kSeparatrix:
-      return Analysis{ResolveSeparatrix, MakeSeparatrixPlan, kFineTolerance, 10'000};
+      return Analysis{ResolveSeparatrix, MakeSeparatrixPlan, kFineTolerance};
     default:
       return absl::InvalidArgumentError("analysis: missing, or not known here");
   }

@@ -20,9 +20,6 @@ struct Analysis {
   absl::StatusOr<std::unique_ptr<jobs::Plan>> (*make_plan)(const v1::JobSpec& resolved);
   /// Numerics.tolerance where none is given.
   double tolerance = Numerics().tolerance;
-  /// What a unit of the plan's work costs, in iterates of the stone's section map, within a factor
-  /// of ten or so: how much of a sweep makes a unit.
-  double iterates_per_work = 1;
 };
 
 /// The analysis that a specification asks for. INVALID_ARGUMENT when it asks for none.

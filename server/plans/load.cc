@@ -8,6 +8,7 @@
 #include "celt/v1/job.pb.h"
 #include "server/plans/chosen.h"
 #include "server/plans/sweep_grid.h"
+#include "server/plans/sweep_node.h"
 
 namespace celt::plans {
 namespace {
@@ -23,31 +24,6 @@ double SecondsOfIterate(v1::Engine engine) {
       return 4.4e-3;
     default:
       return 3e-7;  // a formula
-  }
-}
-
-/// What an effort of 1 costs, in iterates with tangents of one of many orbits: roughly, from the
-/// times of the commands' defaults.
-double Cost(const v1::JobSpec& spec) {
-  switch (spec.analysis_case()) {
-    case v1::JobSpec::kSection:
-      return 3;  // one orbit, which does not fill the lanes
-    case v1::JobSpec::kHyperbolicity:
-      return 7;
-    case v1::JobSpec::kOrbit:
-      return 1.3 * spec.orbit().step();  // an iterate takes some 0.8 units of time
-    case v1::JobSpec::kFixedPoint:
-      return spec.fixed_point().has_search() ? 1000 : 4000;
-    case v1::JobSpec::kContinuation:
-      return 250;
-    case v1::JobSpec::kManifold:
-      return 40'000;
-    case v1::JobSpec::kSeparatrix:
-      return 5000;
-    case v1::JobSpec::kReproduce:
-      return spec.reproduce().quick() ? 2e5 : 4e6;
-    default:
-      return 1;
   }
 }
 
@@ -72,11 +48,34 @@ jobs::Load LoadOf(const v1::JobSpec& spec, double work) {
   load.kind = KindOf(spec, chosen.name);
   load.iterates = Iterates(*chosen.analysis);
   load.effort = load.iterates > 0 ? load.iterates : work;
-  load.seconds = SecondsOfIterate(spec.numerics().engine()) * Cost(spec);
+  load.seconds = SecondsOfIterate(spec.numerics().engine()) * CostOfWork(spec);
   return load;
 }
 
 }  // namespace
+
+double CostOfWork(const v1::JobSpec& spec) {
+  switch (spec.analysis_case()) {
+    case v1::JobSpec::kSection:
+      return 3;  // one orbit, which does not fill the lanes
+    case v1::JobSpec::kHyperbolicity:
+      return 7;
+    case v1::JobSpec::kOrbit:
+      return 1.3 * spec.orbit().step();  // an iterate takes some 0.8 units of time
+    case v1::JobSpec::kFixedPoint:
+      return spec.fixed_point().has_search() ? 1000 : 4000;
+    case v1::JobSpec::kContinuation:
+      return 250;
+    case v1::JobSpec::kManifold:
+      return 40'000;
+    case v1::JobSpec::kSeparatrix:
+      return 5000;
+    case v1::JobSpec::kReproduce:
+      return spec.reproduce().quick() ? 2e5 : 4e6;
+    default:
+      return 1;
+  }
+}
 
 jobs::Load LoadOf(std::string_view specification, const jobs::Plan& plan) {
   v1::JobSpec spec;
@@ -84,7 +83,7 @@ jobs::Load LoadOf(std::string_view specification, const jobs::Plan& plan) {
   jobs::Load load;
   if (spec.has_sweep()) {
     const SweepGrid grid(spec);
-    load = LoadOf(grid.NodeSpec(0), 1);
+    load = LoadOf(grid.NodeSpec(0), NodeWork(grid.NodeSpec(0)));
     load.kind = "sweep/" + load.kind;
     load.iterates *= static_cast<double>(grid.nodes());
     load.effort *= static_cast<double>(grid.nodes());

@@ -70,7 +70,7 @@ double NodeWork(v1::JobSpec node) {
   const auto analysis = FindAnalysis(node);
   if (!analysis.ok()) return 0;
   const auto plan = analysis->make_plan(node);
-  return plan.ok() ? analysis->iterates_per_work * (*plan)->work().total : 0;
+  return plan.ok() ? (*plan)->work().total : 0;
 }
 
 absl::Status RunNode(v1::JobSpec node, const jobs::StopRequested& stop, v1::SweepRecord& record) {

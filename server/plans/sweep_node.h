@@ -15,7 +15,7 @@ namespace celt::plans {
 /// Resolves the node's own job: its starts must lie in its own map's domain.
 absl::Status ResolveNode(v1::JobSpec& node);
 
-/// What a node costs, in iterates of the stone's section map; 0 when its plan can't be made.
+/// The work of a node's plan, in its own unit; 0 when its plan can't be made.
 double NodeWork(v1::JobSpec node);
 
 /// Runs the node's job; `record` gets the answer, or the reason why there is none. CANCELLED when

@@ -5,6 +5,7 @@
 
 #include "absl/strings/str_cat.h"
 #include "server/jobs/status_macros.h"
+#include "server/plans/load.h"
 #include "server/plans/serialize.h"
 #include "server/plans/state.pb.h"
 #include "server/plans/sweep_node.h"
@@ -12,15 +13,16 @@
 namespace celt::plans {
 namespace {
 
-/// Iterates in a unit, about a second's worth; a matter of the specification alone.
-constexpr double kUnitIterates = 100'000;
+/// Cost of a unit in iterates, about a second's worth; a matter of the specification alone.
+constexpr double kUnitCost = 100'000;
 constexpr double kMostNodesInUnit = 1000;
 
 std::int64_t BlockSize(const SweepGrid& grid) {
+  const v1::JobSpec first = grid.NodeSpec(0);
   // Either end may lie where the system has no motion.
-  const double work =
-      std::max({NodeWork(grid.NodeSpec(0)), NodeWork(grid.NodeSpec(grid.nodes() - 1)), 1.0});
-  return static_cast<std::int64_t>(std::clamp(kUnitIterates / work, 1.0, kMostNodesInUnit));
+  const double work = std::max({NodeWork(first), NodeWork(grid.NodeSpec(grid.nodes() - 1)), 1.0});
+  const double cost = CostOfWork(first) * work;
+  return static_cast<std::int64_t>(std::clamp(kUnitCost / cost, 1.0, kMostNodesInUnit));
 }
 
 v1::SweepRecord RecordAt(const SweepGrid& grid, std::int64_t node) {

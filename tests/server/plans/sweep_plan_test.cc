@@ -157,9 +157,9 @@ TEST(SweepPlan, KeepsUnitsShortWhereTheAnalysisCountsNoIterates) {
     return (*plan)->chains();
   };
   // These take from milliseconds to seconds each.
-  EXPECT_EQ(chains("fixed_point {}"), 5);
+  EXPECT_EQ(chains("fixed_point {}"), 40);
   EXPECT_EQ(chains("fixed_point { search: 200 }"), 1000);
-  EXPECT_EQ(chains("continuation { to: 747 }"), 100);
+  EXPECT_EQ(chains("continuation { to: 747 }"), 250);
   EXPECT_EQ(chains("manifold {}"), 1000);
   EXPECT_EQ(chains("separatrix { from: 748.4 to: 748.5 }"), 1000);
 }
