@@ -14,7 +14,10 @@ absl::StatusOr<std::string> RunPlan(const jobs::Plan& plan, const jobs::StopRequ
   };
   std::vector<Chain> chains(plan.chains());
   std::string state;
-  for (std::int64_t step = 0; step < plan.steps(); ++step) {
+  bool going = true;
+  // A plan may allow for far more steps than its chains take.
+  for (std::int64_t step = 0; going && step < plan.steps(); ++step) {
+    going = false;
     for (std::int64_t i = 0; i < std::ssize(chains); ++i) {
       if (chains[i].ended) continue;
       if (stop()) return absl::CancelledError("stopped");
@@ -23,6 +26,7 @@ absl::StatusOr<std::string> RunPlan(const jobs::Plan& plan, const jobs::StopRequ
       CELT_ASSIGN_OR_RETURN(jobs::Collected collected, plan.Collect(unit, state, output.payload));
       state = std::move(collected.state);
       chains[i] = {.checkpoint = std::move(output.checkpoint), .ended = output.chain_ended};
+      going = going || !chains[i].ended;
     }
   }
   return plan.Finish(state);

@@ -45,7 +45,7 @@ TEST(SweepPlan, TakesEveryAnalysisThatGivesNumbers) {
                                              "continuation { to: 751.9 }",
                                              "manifold { length: 0.05 }",
                                              "separatrix { from: 748.3 to: 748.6 width: 0.05 }",
-                                             "hyperbolicity { iterates: 400 transient: 50 }"};
+                                             "hyperbolicity { iterates: 2000 transient: 50 }"};
   for (const std::string& analysis : analyses) {
     const PlanRun sweep = RunPlan("sweep { " + axis + analysis + " } " + stone);
     ASSERT_EQ(sweep.records.size(), 2U) << analysis;
