@@ -23,13 +23,14 @@ Engine EngineOf(const std::string& name) {
 
 const std::vector<Tool>& Tools() {
   static const std::vector<Tool> tools = {
-      {"fast", 1e-10},        {"fast", 1e-11},        {"fast", 1e-12},
-      {"odeint", 1e-9},       {"odeint", 3e-10},      {"odeint", 1e-10},
-      {"odeint", 3e-11},      {"odeint", 1e-11},      {"odeint-fast", 1e-9},
-      {"odeint-fast", 3e-10}, {"odeint-fast", 1e-10}, {"odeint-fast", 3e-11},
-      {"odeint-fast", 1e-11}, {"arkode", 3e-10},      {"arkode", 1e-10},
-      {"arkode", 1e-11},      {"cvode", 1e-12},       {"cvode", 3e-13},
-      {"cvode", 1e-13},       {"cvode", 3e-14}};
+      {"fast", 1e-10},          {"fast", 1.3e-11},      {"fast", 1e-11},
+      {"fast", 1e-12},          {"odeint", 1e-9},       {"odeint", 3e-10},
+      {"odeint", 2.5e-10},      {"odeint", 1e-10},      {"odeint", 3e-11},
+      {"odeint", 1e-11},        {"odeint-fast", 1e-9},  {"odeint-fast", 3e-10},
+      {"odeint-fast", 2.5e-10}, {"odeint-fast", 1e-10}, {"odeint-fast", 3e-11},
+      {"odeint-fast", 1e-11},   {"arkode", 3e-10},      {"arkode", 1e-10},
+      {"arkode", 1e-11},        {"cvode", 1e-12},       {"cvode", 3e-13},
+      {"cvode", 1e-13},         {"cvode", 3e-14}};
   return tools;
 }
 
