@@ -102,6 +102,7 @@ class Continuation : public Analysis {
       const std::string name =
           absl::AsciiStrToLower(v1::BifurcationType_Name(static_cast<v1::BifurcationType>(type)));
       row.emplace_back(name, met != nullptr ? Shortest(met->value()) : "");
+      if (type != v1::PERIOD_DOUBLING && type != v1::NEIMARK_SACKER) continue;
       row.emplace_back(name + "_criticality", met != nullptr ? met->criticality() : "");
     }
     const bool any = branches.branches_size() > 0;

@@ -15,6 +15,6 @@ jobs::Load LoadOf(std::string_view specification, const jobs::Plan& plan);
 
 /// What a unit of the work of a plan costs, or an iterate where it counts those, in iterates with
 /// tangents of one of many orbits: roughly, from the times of the commands' defaults.
-double CostOfWork(const v1::JobSpec& resolved);
+double CostOfWork(const v1::JobSpec& spec);
 
 }  // namespace celt::plans
