@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "absl/numeric/int128.h"
+
 namespace celt::plans {
 namespace {
 
@@ -17,9 +19,9 @@ constexpr std::int64_t kSampleShare = 250;  // iterates to a point of the sample
 std::int64_t CeilingOfRatio(std::int64_t a, std::int64_t b) { return (a + b - 1) / b; }
 
 /// Up to the end of part `part` of `total` cut into `parts` parts as equal as can be:
-/// ⌊total·part/parts⌋, written so that nothing overflows while parts² does not.
+/// ⌊total·part/parts⌋. The product of the longest run and its units takes more than 64 bits.
 std::int64_t UpTo(std::int64_t total, std::int64_t part, std::int64_t parts) {
-  return total / parts * part + total % parts * part / parts;
+  return static_cast<std::int64_t>(absl::int128(total) * part / parts);
 }
 
 std::int64_t PartOf(std::int64_t total, std::int64_t part, std::int64_t parts) {

@@ -1,5 +1,6 @@
 #include "server/plans/lyapunov_schedule.h"
 
+#include <limits>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -129,7 +130,11 @@ TEST(LyapunovSchedule, StaysExactAtTheGreatestLength) {
   for (const std::int64_t orbits : {1, 3}) {
     constexpr std::int64_t kUnit = 31;
     const LyapunovSchedule schedule(kMaxIterates, orbits, 0, kUnit);
-    for (const std::int64_t step : {std::int64_t{0}, schedule.steps() / 2, schedule.steps() - 1}) {
+    // The step at which (total mod steps)·step goes past 64 bits, for a single orbit.
+    const std::int64_t far =
+        std::numeric_limits<std::int64_t>::max() / (kMaxIterates % schedule.steps());
+    for (const std::int64_t step :
+         {std::int64_t{0}, far, schedule.steps() / 2, schedule.steps() - 1}) {
       EXPECT_GE(schedule.Iterates(step, 0), kUnit - 1);
       EXPECT_LE(schedule.Iterates(step, 0), kUnit);
     }
