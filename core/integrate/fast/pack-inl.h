@@ -94,6 +94,11 @@ template <class V>
 HWY_INLINE V Fms(V a, V b, V c) {
   return hn::MulSub(a, b, c);
 }
+/// −ab − c
+template <class V>
+HWY_INLINE V Fnms(V a, V b, V c) {
+  return hn::NegMulSub(a, b, c);
+}
 template <class V>
 HWY_INLINE V Sqrt(V a) {
   return hn::Sqrt(a);
@@ -143,6 +148,10 @@ HWY_INLINE Pair<T> Fnma(const Pair<T>& x, const Pair<T>& y, const Pair<T>& z) {
 template <class T>
 HWY_INLINE Pair<T> Fms(const Pair<T>& x, const Pair<T>& y, const Pair<T>& z) {
   return {Fms(x.a, y.a, z.a), Fms(x.b, y.b, z.b)};
+}
+template <class T>
+HWY_INLINE Pair<T> Fnms(const Pair<T>& x, const Pair<T>& y, const Pair<T>& z) {
+  return {Fnms(x.a, y.a, z.a), Fnms(x.b, y.b, z.b)};
 }
 template <class T>
 HWY_INLINE Pair<T> Sqrt(const Pair<T>& x) {

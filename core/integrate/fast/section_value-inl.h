@@ -32,7 +32,7 @@ HWY_INLINE void Momentum(const StoneConstants& constants, const V* HWY_RESTRICT 
   const Contact<V> a(constants, state[3], state[4]);
   m[0] = Fnma(a.n13, state[2], Fma(a.a12, state[1], a.a11 * state[0]));
   m[1] = Fnma(a.n23, state[2], Fma(a.a22, state[1], a.a12 * state[0]));
-  m[2] = Fma(a.a33, state[2], Neg(Fma(a.n23, state[1], a.n13 * state[0])));
+  m[2] = Fma(a.a33, state[2], Fnms(a.n23, state[1], a.n13 * state[0]));
 }
 
 /// `up` has the sign of γ₃.

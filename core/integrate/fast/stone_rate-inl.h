@@ -189,17 +189,17 @@ HWY_INLINE void Rate(const StoneConstants& k, const Stride<V>& stride, const V* 
     const V j11 = Set<V>(k.j11), j12 = Set<V>(k.j12), j22 = Set<V>(k.j22), j33 = Set<V>(k.j33);
     const V ny = Fma(nf2, q2, nf1 * q1);
     const V e1 = Fma(q2, ny, nf2);
-    const V e2 = Neg(Fma(q1, ny, nf1));
+    const V e2 = Fnms(q1, ny, nf1);
     const V e3 = Fms(nf1, q2, nf2 * q1);
     const V j12w2 = j12 * w2, j12w1 = j12 * w1, j12w3 = j12 * w3;
-    const V z31 = Neg(q2 * x), z32 = q1 * x;
+    const V nz31 = q2 * x, z32 = q1 * x;
     linear.b[0][0] = Fma(w1, e1, Fma(z1, r1, Fma(rho, z11, j12w3 + neta)));
     linear.b[0][1] = Fma(w1, e2, Fma(z1, r2, Fma(rho, z12, Fms(j22, w3, y3))));
     linear.b[0][2] = Fma(w1, e3, Fma(z1, r3, Fma(rho, z13, Fnma(j33, w2, y2))));
     linear.b[1][0] = Fma(w2, e1, Fma(z2, r1, Fma(rho, z21, Fnma(j11, w3, y3))));
     linear.b[1][1] = Fma(w2, e2, Fma(z2, r2, Fnma(rho, nz22, neta - j12w3)));
     linear.b[1][2] = Fma(w2, e3, Fma(z2, r3, Fma(rho, z23, Fms(j33, w1, y1))));
-    linear.b[2][0] = Fma(w3, e1, Fma(z3, r1, Fma(rho, z31, Fms(j11, w2, y2 + j12w1))));
+    linear.b[2][0] = Fma(w3, e1, Fma(z3, r1, Fnma(rho, nz31, Fms(j11, w2, y2 + j12w1))));
     linear.b[2][1] = Fma(w3, e2, Fma(z3, r2, Fma(rho, z32, Fnma(j22, w1, y1 + j12w2))));
     linear.b[2][2] = Fma(w3, e3, Fma(z3, r3, Fnma(rho, k3, neta)));
 
@@ -209,15 +209,15 @@ HWY_INLINE void Rate(const StoneConstants& k, const Stride<V>& stride, const V* 
     const V a1 = Set<V>(k.a1), a2 = Set<V>(k.a2), a21 = Set<V>(k.a21);
     const V nrho1 = Fma(r1, w3, a1 * w1);  // −∂ρ/∂q
     const V nrho2 = Fma(r2, w3, a2 * w2);
-    const V m1 = Neg(Fma(q1, w2, u)), m2 = Fma(q1, w1, w3);  // ∂p/∂q
-    const V m3 = Neg(Fma(q2, w2, w3)), m4 = Fms(q2, w1, u);
+    const V m1 = Fnms(q1, w2, u), m2 = Fma(q1, w1, w3);  // ∂p/∂q
+    const V m3 = Fnms(q2, w2, w3), m4 = Fms(q2, w1, u);
     const V f11 = Fma(a1, e1r3, t.s1), f22 = Fma(a2, e2r3, t.s2), f12 = t.r12;
     const V eta1 = Fnma(nf2, m3, Fnma(nf1, m1, Fma(f12, p2, f11 * p1)));
     const V eta2 = Fnma(nf2, m4, Fnma(nf1, m2, Fma(f22, p2, f12 * p1)));
     const V cross = Fma(a21, w3, Fnma(r2, w2, r1 * w1));
     const V r1w2 = r1 * w2, r2w1 = r2 * w1;
     const V three = Set<V>(3);
-    const V z1q1 = Neg(Fma(three, r1w2, (a1 * q2) * w1));
+    const V z1q1 = Fnms(three, r1w2, (a1 * q2) * w1);
     const V z2q1 = cross;
     const V z3q1 = Fnma(z13, w3, Fma(x, w2, (r1 + r1) * u));
     const V z1q2 = cross;
