@@ -51,7 +51,7 @@ class Compute : public Command {
     if (dry_run_) return PrintEstimate(session, *job);
     if (job->has_estimate()) SayEstimate(session, *job);
     if (detach_) return PrintId(session, job->id());
-    if (job->state() == v1::Job::STATE_SUCCEEDED) SayKnown(session, *job);
+    if (job->state() == v1::Job::STATE_SUCCEEDED) session.terminal().Say(KnownText(*job));
     // The embedded service ends with this program, and its job waits for the next one.
     const ExitCode code =
         Follow(session, analysis_, *job, {.after = 0, .cancel_on_exit = !session.embedded()});
@@ -59,11 +59,6 @@ class Compute : public Command {
   }
 
  private:
-  static void SayKnown(const Session& session, const v1::Job& job) {
-    session.terminal().Say(
-        absl::StrCat("known already, by job ", job.id(), "; --fresh computes it anew"));
-  }
-
   /// To who is left alone with a job, or sits before one that takes a while.
   void SayEstimate(const Session& session, const v1::Job& job) const {
     constexpr absl::Duration kWhile = absl::Seconds(3);

@@ -31,7 +31,9 @@ std::string Amounts(const v1::Estimate& estimate) {
   return text;
 }
 
-std::string Table(const v1::Estimate& estimate) {
+std::string Table(const v1::Job& job) {
+  if (!job.id().empty()) return absl::StrCat("  ", KnownText(job), "\n");
+  const v1::Estimate& estimate = job.estimate();
   const std::string amounts = Amounts(estimate);
   TextTable table({});
   if (!amounts.empty()) table.Add({"work", amounts});
@@ -42,10 +44,11 @@ std::string Table(const v1::Estimate& estimate) {
   return table.Text();
 }
 
-std::string Csv(const v1::Estimate& estimate) {
-  return CsvLine({"most_units", "iterates", "seconds", "queue_seconds"}) +
+std::string Csv(const v1::Job& job) {
+  const v1::Estimate& estimate = job.estimate();
+  return CsvLine({"most_units", "iterates", "seconds", "queue_seconds", "known_by"}) +
          CsvLine({absl::StrCat(estimate.most_units()), Shortest(estimate.iterates()),
-                  Shortest(estimate.seconds()), Shortest(estimate.queue_seconds())});
+                  Shortest(estimate.seconds()), Shortest(estimate.queue_seconds()), job.id()});
 }
 
 }  // namespace
@@ -65,9 +68,13 @@ std::string EstimateText(const v1::Estimate& estimate) {
   return text;
 }
 
+std::string KnownText(const v1::Job& job) {
+  return absl::StrCat("known already, by job ", job.id(), "; --fresh computes it anew");
+}
+
 std::string EstimateReport(const v1::Job& job, OutputFormat format) {
-  if (format == OutputFormat::kTable) return Table(job.estimate());
-  if (format == OutputFormat::kCsv) return Csv(job.estimate());
+  if (format == OutputFormat::kTable) return Table(job);
+  if (format == OutputFormat::kCsv) return Csv(job);
   return ToJson("job", job) + "\n";
 }
 

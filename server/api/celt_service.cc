@@ -1,6 +1,7 @@
 #include "server/api/celt_service.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -82,8 +83,12 @@ absl::StatusOr<v1::Job> CeltService::ToAnswer(const absl::StatusOr<jobs::Job>& j
   return message;
 }
 
-absl::StatusOr<v1::Job> CeltService::Foretell(const v1::JobSpec& spec) const {
-  CELT_ASSIGN_OR_RETURN(const jobs::Estimate estimate, scheduler_.Foretell(plans::Serialize(spec)));
+absl::StatusOr<v1::Job> CeltService::Foretell(const jobs::Submission& submission,
+                                              const v1::JobSpec& spec) const {
+  CELT_ASSIGN_OR_RETURN(const std::optional<jobs::Job> known, scheduler_.FindAnswer(submission));
+  if (known) return ToMessage(*known);
+  CELT_ASSIGN_OR_RETURN(const jobs::Estimate estimate,
+                        scheduler_.Foretell(submission.specification));
   v1::Job answer;
   *answer.mutable_spec() = spec;
   *answer.mutable_estimate() = ToMessage(estimate);
@@ -98,11 +103,12 @@ absl::StatusOr<v1::Job> CeltService::Submit(const auth::Identity& who,
   }
   CELT_ASSIGN_OR_RETURN(const v1::JobSpec spec, plans::ResolveSpec(request.spec()));
   CELT_RETURN_IF_ERROR(plans::CheckLimits(spec, options_.limits));
-  if (request.validate_only()) return Foretell(spec);
-  return ToAnswer(scheduler_.Submit({.specification = plans::Serialize(spec),
-                                     .owner = who.owner,
-                                     .request_id = request.request_id(),
-                                     .fresh = request.fresh()}));
+  const jobs::Submission submission{.specification = plans::Serialize(spec),
+                                    .owner = who.owner,
+                                    .request_id = request.request_id(),
+                                    .fresh = request.fresh()};
+  if (request.validate_only()) return Foretell(submission, spec);
+  return ToAnswer(scheduler_.Submit(submission));
 }
 
 absl::StatusOr<v1::ListJobsResponse> CeltService::List(const auth::Identity& who,

@@ -68,8 +68,10 @@ class CeltService final : public v1::Celt::CallbackService {
 
   /// With its estimate, as long as it has not ended.
   absl::StatusOr<v1::Job> ToAnswer(const absl::StatusOr<jobs::Job>& job) const;
-  /// A resolved specification with its estimate, in a job that there is none of.
-  absl::StatusOr<v1::Job> Foretell(const v1::JobSpec& spec) const;
+  /// What a submission would come to: the job that has given the answer, or one that there is none
+  /// of, with a resolved specification and its estimate.
+  absl::StatusOr<v1::Job> Foretell(const jobs::Submission& submission,
+                                   const v1::JobSpec& spec) const;
   absl::StatusOr<v1::Job> Submit(const auth::Identity& who, const v1::SubmitJobRequest& request);
   absl::StatusOr<v1::ListJobsResponse> List(const auth::Identity& who,
                                             const v1::ListJobsRequest& request) const;

@@ -154,6 +154,15 @@ absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   return stored;
 }
 
+absl::StatusOr<std::optional<Job>> Scheduler::FindAnswer(const Submission& submission) const {
+  if (submission.fresh) return std::nullopt;
+  Job job;
+  job.owner = submission.owner;
+  job.specification = submission.specification;
+  job.engine_version = options_.engine_version;
+  return store_.FindAnswer(job);
+}
+
 absl::StatusOr<Estimate> Scheduler::Foretell(const std::string& specification) const {
   if (stopping_) return ShuttingDown();
   CELT_ASSIGN_OR_RETURN(const std::unique_ptr<Plan> plan, factory_(specification));

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -105,6 +106,8 @@ class Scheduler {
   /// instead. `request_id` as in JobStore::Create. RESOURCE_EXHAUSTED: there are too many jobs, its
   /// payload kRetrySecondsPayload says when to try again. UNAVAILABLE once Shutdown has begun.
   absl::StatusOr<Job> Submit(const Submission& submission);
+  /// The job that Submit would return in place of this one, because it has given the answer.
+  absl::StatusOr<std::optional<Job>> FindAnswer(const Submission& submission) const;
   /// What a job would take, and nothing else: errors as of Submit, which accepts it.
   absl::StatusOr<Estimate> Foretell(const std::string& specification) const;
   /// Goes on with a sleeping job: for those who follow it. Nothing to do is no error.

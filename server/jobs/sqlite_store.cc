@@ -66,6 +66,14 @@ absl::StatusOr<Job> SqliteStore::Create(const Job& job, std::string_view request
   return std::move(row->job);
 }
 
+absl::StatusOr<std::optional<Job>> SqliteStore::FindAnswer(const Job& job) const {
+  const std::lock_guard lock(mutex_);
+  CELT_ASSIGN_OR_RETURN(const std::optional<JobRow> row,
+                        FindSame(*database_, job, Reuse::kAnswers));
+  if (!row) return std::nullopt;
+  return row->job;
+}
+
 absl::StatusOr<Job> SqliteStore::Get(std::string_view id) const {
   const std::lock_guard lock(mutex_);
   CELT_ASSIGN_OR_RETURN(JobRow row, FindJob(*database_, id));

@@ -20,6 +20,7 @@ class SqliteStore final : public JobStore {
 
   absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
                              const absl::Status& room) override;
+  absl::StatusOr<std::optional<Job>> FindAnswer(const Job& job) const override;
   absl::StatusOr<Job> Get(std::string_view id) const override;
   absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,
                                std::string_view page_token) const override;

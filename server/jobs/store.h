@@ -97,6 +97,8 @@ class JobStore {
   /// was another. `room` not OK: there is none for a new job, and why.
   virtual absl::StatusOr<Job> Create(const Job& job, std::string_view request_id, Reuse reuse,
                                      const absl::Status& room) = 0;
+  /// The job that Create would return in place of this one for the answer that it has given.
+  virtual absl::StatusOr<std::optional<Job>> FindAnswer(const Job& job) const = 0;
   virtual absl::StatusOr<Job> Get(std::string_view id) const = 0;
   /// INVALID_ARGUMENT: the page token is not one of ours.
   virtual absl::StatusOr<JobPage> List(const JobFilter& filter, int page_size,

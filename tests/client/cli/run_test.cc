@@ -100,6 +100,17 @@ TEST_F(RunTest, WhoWaitsIsToldHowLongOnATerminalAndOnlyIfItIsLong) {
   EXPECT_THAT(RunCelt({"lyapunov"}, terminal).err, Not(HasSubstr("takes")));
 }
 
+TEST_F(RunTest, DryRunNamesTheJobThatHasGivenTheAnswer) {
+  service_.job.set_id("known");
+  service_.job.set_state(v1::Job::STATE_SUCCEEDED);
+  EXPECT_EQ(Run({"lyapunov", "--dry-run", "--output", "table"}).out,
+            "  known already, by job known; --fresh computes it anew\n");
+  EXPECT_EQ(Run({"lyapunov", "--dry-run", "--output", "csv"}).out,
+            "most_units,iterates,seconds,queue_seconds,known_by\n0,0,0,0,known\n");
+  EXPECT_THAT(Run({"lyapunov", "--dry-run"}).out, HasSubstr("\"id\":\"known\""));
+  EXPECT_TRUE(service_.resumed_after().empty());
+}
+
 TEST_F(RunTest, DryRunTellsTheWorkInAllFormatsAndLeavesNoJob) {
   service_.job.clear_id();
   v1::Estimate& estimate = *service_.job.mutable_estimate();
@@ -112,7 +123,7 @@ TEST_F(RunTest, DryRunTellsTheWorkInAllFormatsAndLeavesNoJob) {
             "  other jobs    none\n");
   EXPECT_TRUE(service_.validate_only());
   EXPECT_EQ(Run({"lyapunov", "--dry-run", "--output", "csv"}).out,
-            "most_units,iterates,seconds,queue_seconds\n1,1e+06,3700,0\n");
+            "most_units,iterates,seconds,queue_seconds,known_by\n1,1e+06,3700,0,\n");
   EXPECT_THAT(
       Run({"lyapunov", "--dry-run"}).out,
       HasSubstr("\"estimate\":{\"mostUnits\":\"1\",\"iterates\":1000000,\"seconds\":3700}"));

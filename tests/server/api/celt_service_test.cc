@@ -82,6 +82,25 @@ TEST_F(CeltServiceTest, OnlyValidatesARequestThatSaysSo) {
             grpc::StatusCode::INVALID_ARGUMENT);
 }
 
+TEST_F(CeltServiceTest, ValidationNamesTheJobThatHasGivenTheAnswerUnlessItIsToBeFresh) {
+  const std::string id = Submit(*stub_, kShort).id();
+  WatchToTheEnd(*stub_, id);
+  v1::SubmitJobRequest request = Request(kShort);
+  request.set_validate_only(true);
+  request.set_fresh(false);
+  v1::Job job;
+  grpc::ClientContext known;
+  ASSERT_TRUE(stub_->SubmitJob(&known, request, &job).ok());
+  EXPECT_EQ(job.id(), id);
+  EXPECT_EQ(job.state(), v1::Job::STATE_SUCCEEDED);
+  EXPECT_FALSE(job.has_estimate());
+  request.set_fresh(true);
+  grpc::ClientContext fresh;
+  ASSERT_TRUE(stub_->SubmitJob(&fresh, request, &job).ok());
+  EXPECT_EQ(job.id(), "");
+  EXPECT_TRUE(job.has_estimate());
+}
+
 TEST_F(CeltServiceTest, RefusesAWrongSpecificationByItsField) {
   const grpc::Status status = TrySubmit(*stub_, "lyapunov { iterates: 0 }");
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);

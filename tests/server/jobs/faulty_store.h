@@ -20,6 +20,9 @@ class FaultyStore final : public JobStore {
                              const absl::Status& room) override {
     return store_.Create(job, request_id, reuse, room);
   }
+  absl::StatusOr<std::optional<Job>> FindAnswer(const Job& job) const override {
+    return store_.FindAnswer(job);
+  }
   absl::StatusOr<Job> Get(std::string_view id) const override { return store_.Get(id); }
   absl::StatusOr<JobPage> List(const JobFilter& filter, int size,
                                std::string_view token) const override {
