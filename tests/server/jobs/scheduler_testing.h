@@ -1,13 +1,17 @@
 #pragma once
 
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "absl/status/status.h"
 #include "gtest/gtest.h"
+#include "jobs/toy_plan.h"
 #include "server/jobs/scheduler.h"
 #include "server/jobs/sqlite_store.h"
 
@@ -26,6 +30,13 @@ struct Answer {
 inline void PrintTo(const Answer& answer, std::ostream* out) {
   *out << "state " << static_cast<int>(answer.state) << ", " << answer.error << ", "
        << answer.result << ", " << ::testing::PrintToString(answer.records);
+}
+
+inline SchedulerOptions Workers(int workers) {
+  SchedulerOptions options;
+  options.workers = workers;
+  options.run_ahead = 5;
+  return options;
 }
 
 /// Waits until the condition holds, looking whenever the job has changed.
@@ -86,6 +97,38 @@ inline std::string Submit(Scheduler& scheduler, const std::string& specification
   const auto job = TrySubmit(scheduler, specification, request_id);
   EXPECT_TRUE(job.ok()) << job.status();
   return job.ok() ? job->id : "";
+}
+
+/// Chains of different lengths, so that the fold has to skip.
+inline Toy Uneven() { return {.chains = 7, .steps = 9, .lengths = {{2, 3}, {5, 1}}}; }
+
+/// The answer by the definition: unit after unit in the plan's order.
+inline Answer ByDefinition(const Toy& toy) {
+  const ToyPlan plan(toy);
+  std::map<std::int64_t, UnitOutput> chains;
+  std::string state;
+  Answer answer;
+  for (UnitId unit; unit.step < plan.steps(); ++unit.step) {
+    for (unit.chain = 0; unit.chain < plan.chains(); ++unit.chain) {
+      UnitOutput& chain = chains[unit.chain];
+      if (chain.chain_ended) continue;
+      chain = *plan.Run(unit, chain.checkpoint, [] { return false; });
+      Collected collected = *plan.Collect(unit, state, chain.payload);
+      state = collected.state;
+      answer.records.insert(answer.records.end(), collected.records.begin(),
+                            collected.records.end());
+    }
+  }
+  answer.state = JobState::kSucceeded;
+  answer.error = absl::OkStatus().ToString();
+  answer.result = *plan.Finish(state);
+  return answer;
+}
+
+/// Waits inside a unit until it is told to stop.
+inline absl::Status RunUntilStopped(const StopRequested& stop) {
+  while (!stop()) std::this_thread::yield();
+  return absl::CancelledError("stopped");
 }
 
 }  // namespace celt::jobs
