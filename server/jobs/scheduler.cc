@@ -25,6 +25,15 @@ absl::Status Full(const std::string& why) {
   return status;
 }
 
+/// A job with no more than what makes it the same as another: who asks, what, and of which engine.
+Job Identified(const Submission& submission, std::int64_t engine_version) {
+  Job job;
+  job.owner = submission.owner;
+  job.specification = submission.specification;
+  job.engine_version = engine_version;
+  return job;
+}
+
 }  // namespace
 
 absl::Status ShuttingDown() {
@@ -133,11 +142,8 @@ void Scheduler::Shutdown() {
 absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
   if (stopping_) return ShuttingDown();
   CELT_ASSIGN_OR_RETURN(std::unique_ptr<Plan> plan, factory_(submission.specification));
-  Job job;
+  Job job = Identified(submission, options_.engine_version);
   job.id = options_.new_id();
-  job.owner = submission.owner;
-  job.specification = submission.specification;
-  job.engine_version = options_.engine_version;
   job.work_total = plan->work().total;
   job.work_unit = plan->work().unit;
   job.created = options_.clock();
@@ -156,11 +162,7 @@ absl::StatusOr<Job> Scheduler::Submit(const Submission& submission) {
 
 absl::StatusOr<std::optional<Job>> Scheduler::FindAnswer(const Submission& submission) const {
   if (submission.fresh) return std::nullopt;
-  Job job;
-  job.owner = submission.owner;
-  job.specification = submission.specification;
-  job.engine_version = options_.engine_version;
-  return store_.FindAnswer(job);
+  return store_.FindAnswer(Identified(submission, options_.engine_version));
 }
 
 absl::StatusOr<Estimate> Scheduler::Foretell(const std::string& specification) const {
