@@ -12,30 +12,24 @@
 // clang-format off
 #include "hwy/foreach_target.h"
 // clang-format on
-#include "core/integrate/fast/lanes-inl.h"
+#include "core/integrate/fast/relay-inl.h"
 #include "hwy/aligned_allocator.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace celt::fast::HWY_NAMESPACE {
 
-/// Works in `count` groups until all their lanes are idle and the feed has nothing for them.
+/// Works in `count` relays until all their lanes are idle and the feed has nothing for them.
 template <class Layout>
-void RunGroups(const Problem& problem, CrossingFeed& feed, Direction direction, int count) {
-  const auto step = hwy::MakeUniqueAligned<StepResult<Layout>>();
-  std::vector<hwy::AlignedUniquePtr<Group<Layout>>> groups;
-  groups.reserve(count);
+void RunRelays(const Problem& problem, CrossingFeed& feed, Direction direction, int count) {
+  std::vector<hwy::AlignedUniquePtr<Relay<Layout>>> relays;
+  relays.reserve(count);
   for (int i = 0; i < count; ++i) {
-    groups.push_back(hwy::MakeUniqueAligned<Group<Layout>>(problem, direction, *step));
+    relays.push_back(hwy::MakeUniqueAligned<Relay<Layout>>(problem, direction));
   }
   for (bool busy = true; busy;) {
     busy = false;
-    for (const auto& group : groups) {
-      group->Fill(feed);
-      if (!group->busy()) continue;
-      group->Advance(feed);
-      busy = true;
-    }
+    for (const auto& relay : relays) busy = relay->Advance(feed) || busy;
   }
 }
 
@@ -44,17 +38,17 @@ void RunVectors(const Problem& problem, CrossingFeed& feed, Direction direction,
                 int lanes) {
   const int count = std::max(1, lanes / kLanes<Vector>);
   if (tangents) {
-    RunGroups<Layout<Vector, Vector, 3>>(problem, feed, direction, count);
+    RunRelays<Layout<Vector, Vector, 3>>(problem, feed, direction, count);
   } else {
-    RunGroups<Layout<Vector, Vector, 0>>(problem, feed, direction, count);
+    RunRelays<Layout<Vector, Vector, 0>>(problem, feed, direction, count);
   }
 }
 
 void RunOne(const Problem& problem, CrossingFeed& feed, Direction direction, bool tangents) {
   if (tangents) {
-    RunGroups<Layout<Lanes<1>, Lanes<4>, 1>>(problem, feed, direction, 1);
+    RunRelays<Layout<Lanes<1>, Lanes<4>, 1>>(problem, feed, direction, 1);
   } else {
-    RunGroups<Layout<Lanes<1>, Lanes<1>, 0>>(problem, feed, direction, 1);
+    RunRelays<Layout<Lanes<1>, Lanes<1>, 0>>(problem, feed, direction, 1);
   }
 }
 
@@ -64,7 +58,7 @@ void Run(const Problem& problem, CrossingFeed& feed, Direction direction, bool t
   // Without tangents, a vector alone would wait for its own results most of the time.
   if (!tangents && (lanes == 0 || lanes >= 2 * kMaxLanes)) {
     using Two = Lanes<2 * kMaxLanes>;
-    return RunGroups<Layout<Two, Two, 0>>(problem, feed, direction,
+    return RunRelays<Layout<Two, Two, 0>>(problem, feed, direction,
                                           std::max(1, lanes / kLanes<Two>));
   }
   if constexpr (kMaxLanes > 4) {

@@ -1,34 +1,20 @@
 #include "core/integrate/fast/landing.h"
 
 #include <cmath>
+#include <cstddef>
+
+#include "core/integrate/fast/lagrange.h"
 
 namespace celt::fast {
 namespace {
 
-constexpr int kPoints = static_cast<int>(kInterpolated.size());
-using Table = std::array<std::array<double, kPoints>, kPoints>;
-
-/// Entry (k, j): coefficient of θ^(k+1) in the integral from 0 to θ of the Lagrange polynomial of
-/// node j.
-constexpr Table IntegratedLagrange() {
-  Table table{};
-  for (int j = 0; j < kPoints; ++j) {
-    std::array<double, kPoints> product{1};
-    for (int i = 0, degree = 0; i < kPoints; ++i) {
-      if (i == j) continue;
-      const double node = kNodes[kInterpolated[i]];
-      const double scale = 1 / (kNodes[kInterpolated[j]] - node);
-      ++degree;
-      for (int k = degree; k >= 0; --k) {
-        product[k] = scale * ((k > 0 ? product[k - 1] : 0) - node * product[k]);
-      }
-    }
-    for (int k = 0; k < kPoints; ++k) table[k][j] = product[k] / (k + 1);
-  }
-  return table;
+constexpr LagrangeTable<kInterpolated.size()> MakeTable() {
+  std::array<double, kInterpolated.size()> nodes{};
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = kNodes[kInterpolated[i]];
+  return IntegratedLagrange(nodes);
 }
 
-constexpr Table kTable = IntegratedLagrange();
+constexpr auto kTable = MakeTable();
 constexpr int kMostValues = 8;
 
 /// The part at value 0 of the polynomial through (value, part), by Neville's scheme.
@@ -47,12 +33,7 @@ double InverseInterpolate(const std::array<PartValue, kMostValues>& points, int 
 }  // namespace
 
 std::array<double, kInterpolated.size()> PartWeights(double part) {
-  std::array<double, kPoints> weights = kTable[kPoints - 1];
-  for (int k = kPoints - 2; k >= 0; --k) {
-    for (int j = 0; j < kPoints; ++j) weights[j] = weights[j] * part + kTable[k][j];
-  }
-  for (double& weight : weights) weight *= part;
-  return weights;
+  return IntegralWeights(kTable, part);
 }
 
 double FindCrossing(PartValue low, PartValue high, PartValue other,

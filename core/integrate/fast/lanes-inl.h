@@ -1,7 +1,11 @@
 // Compiled once for each SIMD target: included by files that go through hwy/foreach_target.h.
 //
 // A group of lanes, each on its own way to its own crossing. Steps are taken together; everything
-// else is each lane's own affair. A lane that is through takes the feed's next task at once.
+// else is each lane's own affair.
+//
+// One kind of group takes steps that know nothing of the step before, another such as make use of it
+// (two_step.h). A way begins and ends in a group of the first kind and goes most of its steps in one
+// of the second: see relay-inl.h.
 //
 // Steps are kLongestStep (lanes.h) long in scaled time unless the error estimate objects: the
 // estimate, of an order less than the solution, swings over a factor of a thousand along an orbit
@@ -18,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "absl/status/status.h"
 #include "absl/strings/str_cat.h"
@@ -35,44 +41,99 @@
 HWY_BEFORE_NAMESPACE();
 namespace celt::fast::HWY_NAMESPACE {
 
+/// A way between two steps, in no lane.
 template <class Layout>
+struct Flight {
+  static constexpr int kSize = Layout::kSize / Layout::kOrbits;
+  using Column = std::array<double, kSize>;
+
+  bool landing = false;  ///< the step goes to the section
+  int ticket = 0;
+  int passes = 0;  ///< steps to the section so far
+  double steps = 0;
+  double time = 0;
+  double length = 0;   ///< of the step to take
+  double gravity = 0;  ///< g γ₃/|γ₃|
+  double value = 0;    ///< of the event, and its side
+  double side = 0;
+  Column state;
+  std::array<Column, kHistory.size()> history;  ///< of the step before, where that is asked for
+};
+
+/// Whether steps make use of the step before.
+enum class Memory { kNone, kStepBefore };
+
+template <class Layout, Memory kMemory>
 class Group {
  public:
-  /// `step` is room to work in, for one group at a time.
-  Group(const Problem& problem, Direction direction, StepResult<Layout>& step)
+  static constexpr int kN = Layout::kOrbits;
+
+  Group(const Problem& problem, Direction direction)
       : problem_(problem),
         direction_(direction == Direction::kForward ? 1 : -1),
-        sense_(direction_ * problem.event.sense()),
-        step_(step) {
+        sense_(direction_ * problem.event.sense()) {
+    for (const int stage : kHistory) before_->stages[stage] = {};
     for (int lane = 0; lane < kN; ++lane) Park(lane);
   }
 
-  bool busy() const { return busy_ > 0; }
+  /// Number of lanes at work.
+  int busy() const { return busy_; }
 
-  /// Gives idle lanes work, as far as there is some.
-  void Fill(CrossingFeed& feed) {
+  /// A task of the feed's into an idle lane. Whether there was one.
+  bool Begin(CrossingFeed& feed) {
     CrossingTask task;
-    for (int lane = 0; lane < kN && busy_ < kN; ++lane) {
-      if (lanes_[lane].busy) continue;
-      int ticket = 0;
-      if (!feed.Next(task, ticket)) return;
-      Begin(feed, lane, task, ticket);
+    int ticket = 0;
+    if (!feed.Next(task, ticket)) return false;
+    Begin(feed, IdleLane(), task, ticket);
+    return true;
+  }
+
+  /// Takes a way into an idle lane. If steps make use of the step before, it has taken one as long
+  /// as its next.
+  void Put(const Flight<Layout>& flight) {
+    const int lane = IdleLane();
+    Lane& own = lanes_[lane];
+    own = {.busy = true,
+           .landing = flight.landing,
+           .ticket = flight.ticket,
+           .passes = flight.passes,
+           .up = flight.gravity > 0 ? 1.0 : -1.0};
+    ++busy_;
+    steps_[lane] = flight.steps;
+    start_.time[lane] = flight.time;
+    length_[lane] = flight.length;
+    gravity_[lane] = flight.gravity;
+    start_value_[lane] = flight.value;
+    start_side_[lane] = flight.side;
+    PutColumn(flight.state, start_, lane);
+    if constexpr (kRemembers) {
+      for (std::size_t i = 0; i < kHistory.size(); ++i) {
+        PutColumn(flight.history[i], before_->stages[kHistory[i]], lane);
+      }
     }
   }
 
-  /// Takes all lanes a step further.
-  void Advance(CrossingFeed& feed) {
+  /// Takes all lanes a step further. Those that are not to take the next one here leave their lanes
+  /// and go to `leave`.
+  template <class Leave>
+  void Advance(CrossingFeed& feed, const Leave& leave) {
     StepAll();
     AcceptPlain();
     for (int lane = 0; lane < kN; ++lane) {
+      lanes_[lane].steady = accept_[lane] > 0;
       if (accept_[lane] == 0 && lanes_[lane].busy) Settle(feed, lane);
     }
     MoveOn();
+    for (int lane = 0; lane < kN; ++lane) {
+      if (lanes_[lane].busy && lanes_[lane].steady != kRemembers) leave(Take(lane));
+    }
+    if constexpr (kRemembers) std::swap(step_, before_);
   }
 
  private:
   using V = typename Layout::Orbit;
-  static constexpr int kN = Layout::kOrbits;
+  using Column = typename Flight<Layout>::Column;
+  static constexpr bool kRemembers = kMemory == Memory::kStepBefore;
   static constexpr bool kWithTangents = Layout::kTangents > 0;
 
   /// Where the orbit is at a part of the step.
@@ -85,10 +146,17 @@ class Group {
   struct Lane {
     bool busy = false;
     bool landing = false;  ///< the step goes to the section
+    bool steady = false;   ///< the step just taken counts, and the next is as long
     int ticket = 0;
     int passes = 0;  ///< steps to the section so far
     double up = 1;   ///< sign of γ₃
   };
+
+  int IdleLane() const {
+    int lane = 0;
+    while (lanes_[lane].busy) ++lane;
+    return lane;
+  }
 
   /// An idle lane computes on, harmlessly.
   void Park(int lane) {
@@ -101,6 +169,9 @@ class Group {
     start_side_[lane] = 0;
     length_[lane] = direction_ * problem_.longest_step;
     gravity_[lane] = problem_.constants.gravity;
+    if constexpr (kRemembers) {
+      for (const int stage : kHistory) PutColumn({}, step_->stages[stage], lane);
+    }
   }
 
   void Begin(CrossingFeed& feed, int lane, const CrossingTask& task, int ticket) {
@@ -119,12 +190,44 @@ class Group {
     if (!(x.template tail<2>().squaredNorm() < kMostTilt)) Lose(feed, lane, kTilted);
   }
 
+  Flight<Layout> Take(int lane) {
+    const Lane& own = lanes_[lane];
+    Flight<Layout> flight{.landing = own.landing,
+                          .ticket = own.ticket,
+                          .passes = own.passes,
+                          .steps = steps_[lane],
+                          .time = start_.time[lane],
+                          .length = length_[lane],
+                          .gravity = gravity_[lane],
+                          .value = start_value_[lane],
+                          .side = start_side_[lane],
+                          .state = ColumnOf(start_, lane),
+                          .history = {}};
+    if constexpr (!kRemembers) {
+      for (std::size_t i = 0; i < kHistory.size(); ++i) {
+        flight.history[i] = ColumnOf(step_->stages[kHistory[i]], lane);
+      }
+    }
+    Park(lane);
+    --busy_;
+    return flight;
+  }
+
+  static Column ColumnOf(const States<Layout>& states, int lane) {
+    Column column;
+    for (int i = 0; i < Flight<Layout>::kSize; ++i) column[i] = states.values[i * kN + lane];
+    return column;
+  }
+  static void PutColumn(const Column& column, States<Layout>& states, int lane) {
+    for (int i = 0; i < Flight<Layout>::kSize; ++i) states.values[i * kN + lane] = column[i];
+  }
+
   /// One step of all lanes, and what there is to know of its outcome.
   void StepAll() {
     const V length = Load<V>(length_);
     const V one = Set<V>(1);
     const Stride<V> stride{length, one / length, Load<V>(gravity_)};
-    Step<Layout>(problem_.constants, stride, start_, step_);
+    Step<Layout>(problem_.constants, stride, start_, kRemembers ? before_->stages : nullptr, *step_);
 
     V x[kComponents], error[kComponents];
     const auto locate = [&](const double* orbit, double* values, double* sides) HWY_ATTR {
@@ -134,10 +237,10 @@ class Group {
       Store(place.value, values);
       Store(place.side, sides);
     };
-    locate(step_.middle, middle_value_, middle_side_);
-    locate(step_.end.values, end_value_, end_side_);
+    locate(step_->middle, middle_value_, middle_side_);
+    locate(step_->end.values, end_value_, end_side_);
     // Errors relative to |ω| (or the frequency of gravity, if that is more) and to |(q, 1)|.
-    LoadAll(step_.error, error);
+    LoadAll(step_->error, error);
     LoadAll(start_.values, x);
     const V spin =
         Fma(x[2], x[2], Fma(x[1], x[1], Fma(x[0], x[0], Set<V>(problem_.constants.least_spin))));
@@ -160,8 +263,8 @@ class Group {
     at_most(Load<V>(ratio_), Set<V>(kCalm));
     at_most(Set<V>(problem_.longest_step), Load<V>(length_) * Set<V>(direction_));
     at_most(Load<V>(steps_), Set<V>(problem_.most_steps));
-    at_most(Load<V>(step_.end.time) * Set<V>(direction_), Set<V>(problem_.longest_time));
-    const V q1 = Load<V>(step_.end.values + 3 * kN), q2 = Load<V>(step_.end.values + 4 * kN);
+    at_most(Load<V>(step_->end.time) * Set<V>(direction_), Set<V>(problem_.longest_time));
+    const V q1 = Load<V>(step_->end.values + 3 * kN), q2 = Load<V>(step_->end.values + 4 * kN);
     at_most(Fma(q2, q2, q1 * q1), Set<V>(0.99 * kMostTilt));
     const auto same_sign = [&](const double* a, const double* b) HWY_ATTR {
       at_most(Set<V>(std::numeric_limits<double>::min()), Load<V>(a) * Load<V>(b));
@@ -187,18 +290,19 @@ class Group {
     if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
 
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
-    if (std::abs(step_.end.time[lane]) > problem_.longest_time)
+    if (std::abs(step_->end.time[lane]) > problem_.longest_time)
       return Lose(feed, lane, "no crossing within the longest time");
     accept_[lane] = 1;
     const double now = std::abs(length_[lane]);
-    if (now < problem_.longest_step || ratio_[lane] > kCalm) {
+    own.steady = now >= problem_.longest_step && ratio_[lane] <= kCalm;
+    if (!own.steady) {
       length_[lane] = direction_ * std::min(problem_.longest_step, now * StepFactor(ratio_[lane]));
     }
   }
 
   double end_tilt(int lane) const {
-    const double q1 = step_.end.values[3 * kN + lane];
-    const double q2 = step_.end.values[4 * kN + lane];
+    const double q1 = step_->end.values[3 * kN + lane];
+    const double q2 = step_->end.values[4 * kN + lane];
     return q1 * q1 + q2 * q2;
   }
 
@@ -214,13 +318,13 @@ class Group {
     const auto take = [&](const double* from, double* to) HWY_ATTR {
       Store(IfLessEqual(one, accept, Load<V>(from), Load<V>(to)), to);
     };
-    take(step_.end.time, start_.time);
+    take(step_->end.time, start_.time);
     take(end_value_, start_value_);
     take(end_side_, start_side_);
     if constexpr (Layout::kAlike) {
-      for (int i = 0; i < Layout::kSize; i += kN) take(step_.end.values + i, start_.values + i);
+      for (int i = 0; i < Layout::kSize; i += kN) take(step_->end.values + i, start_.values + i);
     } else {
-      if (accept_[0] > 0) std::copy_n(step_.end.values, Layout::kSize, start_.values);
+      if (accept_[0] > 0) std::copy_n(step_->end.values, Layout::kSize, start_.values);
     }
   }
 
@@ -277,7 +381,7 @@ class Group {
     const auto weights = PartWeights(part);
     FastState x = OrbitOf(start_, lane);
     for (std::size_t j = 0; j < weights.size(); ++j) {
-      x += weights[j] * OrbitOf(step_.stages[kInterpolated[j]], lane);
+      x += weights[j] * OrbitOf(step_->stages[kInterpolated[j]], lane);
     }
     return x;
   }
@@ -286,11 +390,11 @@ class Group {
   void Land(CrossingFeed& feed, int lane) {
     Lane& own = lanes_[lane];
     FastTangents tangents;
-    if constexpr (kWithTangents) tangents = TangentsOf(step_.end, lane);
-    Touchdown<kWithTangents> touchdown(problem_, OrbitOf(step_.end, lane), gravity_[lane]);
+    if constexpr (kWithTangents) tangents = TangentsOf(step_->end, lane);
+    Touchdown<kWithTangents> touchdown(problem_, OrbitOf(step_->end, lane), gravity_[lane]);
     const double rest = touchdown.rest();
     if (std::abs(rest) <= kTiny * std::abs(length_[lane])) {
-      return Finish(feed, lane, absl::OkStatus(), touchdown.Finish(tangents, step_.end.time[lane]));
+      return Finish(feed, lane, absl::OkStatus(), touchdown.Finish(tangents, step_->end.time[lane]));
     }
     if (++own.passes > kMostPasses || !std::isfinite(rest)) {
       return Lose(feed, lane, "touches the section, does not cross it");
@@ -348,10 +452,12 @@ class Group {
   const Problem& problem_;
   const double direction_;  ///< of time
   const double sense_;      ///< e times this grows through zero at a crossing
-  StepResult<Layout>& step_;
   int busy_ = 0;
   Lane lanes_[kN];
   States<Layout> start_;
+  StepResult<Layout> results_[kRemembers ? 2 : 1];
+  StepResult<Layout>* step_ = results_;
+  StepResult<Layout>* before_ = results_ + (kRemembers ? 1 : 0);
   // Of each lane: the steps so far, the step, and what is known of its outcome. The event's value
   // and side are 0 at the start of all.
   HWY_ALIGN double steps_[kN];

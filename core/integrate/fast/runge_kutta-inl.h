@@ -1,7 +1,7 @@
 // Compiled once for each SIMD target: included by files that go through hwy/foreach_target.h.
 //
-// One step of the Runge–Kutta method for a group of lanes, each with its own step length. Tangents
-// are advanced in the same stages as their orbit; the error estimate looks at the orbit alone.
+// One step of the method for a group of lanes, each with its own step length. Tangents are advanced
+// in the same stages as their orbit; the error estimate looks at the orbit alone.
 #if defined(CELT_FAST_RUNGE_KUTTA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CELT_FAST_RUNGE_KUTTA_INL_H_
 #undef CELT_FAST_RUNGE_KUTTA_INL_H_
@@ -10,10 +10,12 @@
 #endif
 
 #include <algorithm>
+#include <cstddef>
 #include <type_traits>
 
 #include "core/integrate/fast/pack-inl.h"
 #include "core/integrate/fast/stone_rate-inl.h"
+#include "core/integrate/fast/two_step.h"
 #include "core/integrate/fast/verner9.h"
 #include "hwy/highway.h"
 
@@ -69,20 +71,46 @@ struct Row {
 /// Row of stage i; then the solution's and the error's.
 HWY_INLINE Row RowAt(int i) { return {kCoefficients + kRow[i], kCoefficients + kRow[i + 1]}; }
 
-/// `kCount` vectors of components from `base` on: sum[i] = base + Σ coefficient · stage. The more
-/// at once, the less a sum waits for itself, as far as registers go.
+/// What a stage's state is made of: rates of this step and of the one before.
+struct StageRows {
+  Row now;
+  Row before;
+};
+
+template <std::size_t kNow, std::size_t kBefore>
+HWY_INLINE StageRows RowsOf(const TwoStepRow<kNow, kBefore>& row) {
+  return {{row.now.data(), row.now.data() + kNow}, {row.before.data(), row.before.data() + kBefore}};
+}
+
+HWY_INLINE StageRows RowsAt(int stage, bool two_step) {
+  if (two_step) {
+    if (stage == kEarlyStage) return RowsOf(kEarlyRow);
+    if (stage == 5) return RowsOf(kFifthRow);
+    if (stage == 6) return RowsOf(kSixthRow);
+  }
+  return {RowAt(stage), {nullptr, nullptr}};
+}
+
+/// sum[i] += Σ coefficient · stage for `kCount` vectors of components. The more at once, the less a
+/// sum waits for itself, as far as registers go.
 template <class Layout, int kCount, class V>
-HWY_INLINE void Combine(Row row, const double* HWY_RESTRICT base, const double* HWY_RESTRICT stages,
-                        V* HWY_RESTRICT sum) {
+HWY_INLINE void Add(Row row, const double* HWY_RESTRICT stages, V* HWY_RESTRICT sum) {
   constexpr int kStride = static_cast<int>(sizeof(States<Layout>) / sizeof(double));
-#pragma GCC unroll 15
-  for (int i = 0; i < kCount; ++i) sum[i] = Load<V>(base + i * kLanes<V>);
   for (const Coefficient* c = row.first; c != row.last; ++c) {
     const V factor = Set<V>(c->value);
     const double* HWY_RESTRICT stage = stages + c->stage * kStride;
 #pragma GCC unroll 15
     for (int i = 0; i < kCount; ++i) sum[i] = Fma(factor, Load<V>(stage + i * kLanes<V>), sum[i]);
   }
+}
+
+/// The same from `base` on.
+template <class Layout, int kCount, class V>
+HWY_INLINE void Combine(Row row, const double* HWY_RESTRICT base, const double* HWY_RESTRICT stages,
+                        V* HWY_RESTRICT sum) {
+#pragma GCC unroll 15
+  for (int i = 0; i < kCount; ++i) sum[i] = Load<V>(base + i * kLanes<V>);
+  Add<Layout, kCount>(row, stages, sum);
 }
 
 template <class V>
@@ -113,17 +141,18 @@ HWY_INLINE void CombineAll(Row row, const States<Layout>& base, const States<Lay
   }
 }
 
-/// A stage: the state that its row gives, and the rate there. Returns the orbit's part of the state
+/// A stage: the state that its rows give, and the rate there. Returns the orbit's part of the state
 /// in `x`.
 template <class Layout>
 HWY_INLINE void EvaluateStage(const StoneConstants& constants,
-                              const Stride<typename Layout::Orbit>& stride,
-                              const States<Layout>& start, States<Layout>* stages, int stage,
-                              typename Layout::Orbit* x) {
+                              const Stride<typename Layout::Orbit>& stride, const StageRows& rows,
+                              const States<Layout>& start, const States<Layout>* before,
+                              States<Layout>* stages, int stage, typename Layout::Orbit* x) {
   using V = typename Layout::Orbit;
   using T = typename Layout::Tangent;
   double* HWY_RESTRICT const out = stages[stage].values;
-  Combine<Layout, kComponents>(RowAt(stage), start.values, stages->values, x);
+  Combine<Layout, kComponents>(rows.now, start.values, stages->values, x);
+  Add<Layout, kComponents>(rows.before, before->values, x);
   V rate[kComponents], time;
   constexpr bool kWithTangents = Layout::kTangents > 0;
   Linearization<V> linear;
@@ -132,25 +161,30 @@ HWY_INLINE void EvaluateStage(const StoneConstants& constants,
   Store(time, stages[stage].time);
   if constexpr (kWithTangents) {
     constexpr int kCount = Layout::kTangents * kComponents;
+    constexpr int kStart = Layout::kTangentStart;
     T v[kCount], v_rates[kCount];
-    Combine<Layout, kCount>(RowAt(stage), start.values + Layout::kTangentStart,
-                            stages->values + Layout::kTangentStart, v);
+    Combine<Layout, kCount>(rows.now, start.values + kStart, stages->values + kStart, v);
+    Add<Layout, kCount>(rows.before, before->values + kStart, v);
 #pragma GCC unroll 3
     for (int j = 0; j < Layout::kTangents; ++j)
       TangentRate(linear, v + j * kComponents, v_rates + j * kComponents);
-    StoreAll<kCount>(v_rates, out + Layout::kTangentStart);
+    StoreAll<kCount>(v_rates, out + kStart);
   }
 }
 
+/// `before`: the stages of the step before, when every lane's was as long as this one; else null.
 template <class Layout>
 HWY_NOINLINE void Step(const StoneConstants& constants,
                        const Stride<typename Layout::Orbit>& stride, const States<Layout>& start,
-                       StepResult<Layout>& result) {
+                       const States<Layout>* before, StepResult<Layout>& result) {
   using V = typename Layout::Orbit;
   States<Layout>* const stages = result.stages;
+  const bool two_step = before != nullptr;
+  if (!two_step) before = stages;  // and not made use of
   V x[kComponents];
   for (int stage = 0; stage < kStages; ++stage) {
-    EvaluateStage(constants, stride, start, stages, stage, x);
+    if (two_step && stage > kEarlyStage && stage < 5) continue;
+    EvaluateStage(constants, stride, RowsAt(stage, two_step), start, before, stages, stage, x);
     if (stage == kMiddleStage) StoreAll(x, result.middle);
   }
 
