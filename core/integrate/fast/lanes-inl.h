@@ -3,9 +3,9 @@
 // A group of lanes, each on its own way to its own crossing. Steps are taken together; everything
 // else is each lane's own affair.
 //
-// One kind of group takes steps that know nothing of the step before, another such as make use of it
-// (two_step.h). A way begins and ends in a group of the first kind and goes most of its steps in one
-// of the second: see relay-inl.h.
+// One kind of group takes steps that know nothing of the step before, another such as make use of
+// it (two_step.h). A way begins and ends in a group of the first kind and goes most of its steps in
+// one of the second: see relay-inl.h.
 //
 // Steps are kLongestStep (lanes.h) long in scaled time unless the error estimate objects: the
 // estimate, of an order less than the solution, swings over a factor of a thousand along an orbit
@@ -119,6 +119,9 @@ class Group {
   void Advance(CrossingFeed& feed, const Leave& leave) {
     StepAll();
     AcceptPlain();
+    if (std::any_of(lanes_, lanes_ + kN, [](const Lane& lane) { return lane.landing; })) {
+      TouchDown(problem_, gravity_, step_->end, arrivals_);
+    }
     for (int lane = 0; lane < kN; ++lane) {
       lanes_[lane].steady = accept_[lane] > 0;
       if (accept_[lane] == 0 && lanes_[lane].busy) Settle(feed, lane);
@@ -227,7 +230,8 @@ class Group {
     const V length = Load<V>(length_);
     const V one = Set<V>(1);
     const Stride<V> stride{length, one / length, Load<V>(gravity_)};
-    Step<Layout>(problem_.constants, stride, start_, kRemembers ? before_->stages : nullptr, *step_);
+    Step<Layout>(problem_.constants, stride, start_, kRemembers ? before_->stages : nullptr,
+                 *step_);
 
     V x[kComponents], error[kComponents];
     const auto locate = [&](const double* orbit, double* values, double* sides) HWY_ATTR {
@@ -389,12 +393,10 @@ class Group {
   /// The lane has stepped to the section, but for a little.
   void Land(CrossingFeed& feed, int lane) {
     Lane& own = lanes_[lane];
-    FastTangents tangents;
-    if constexpr (kWithTangents) tangents = TangentsOf(step_->end, lane);
-    Touchdown<kWithTangents> touchdown(problem_, OrbitOf(step_->end, lane), gravity_[lane]);
-    const double rest = touchdown.rest();
+    const double rest = arrivals_.rest[lane];
     if (std::abs(rest) <= kTiny * std::abs(length_[lane])) {
-      return Finish(feed, lane, absl::OkStatus(), touchdown.Finish(tangents, step_->end.time[lane]));
+      const double mass = problem_.stone.parameters().mass;
+      return Finish(feed, lane, absl::OkStatus(), arrivals_.At(mass, lane));
     }
     if (++own.passes > kMostPasses || !std::isfinite(rest)) {
       return Lose(feed, lane, "touches the section, does not cross it");
@@ -424,20 +426,11 @@ class Group {
     for (int i = 0; i < kComponents; ++i) start_.values[i * kN + lane] = x[i];
   }
 
-  static int TangentAt(int lane, int tangent, int component) {
-    return Layout::kTangentStart + (Layout::kAlike ? (tangent * kComponents + component) * kN + lane
-                                                   : component * Layout::kTangentLanes + tangent);
-  }
-  static FastTangents TangentsOf(const States<Layout>& states, int lane) {
-    FastTangents tangents;
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < kComponents; ++i) tangents(i, j) = states.values[TangentAt(lane, j, i)];
-    }
-    return tangents;
-  }
   void PutTangents(int lane, const FastTangents& tangents) {
     for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < kComponents; ++i) start_.values[TangentAt(lane, j, i)] = tangents(i, j);
+      for (int i = 0; i < kComponents; ++i)
+        start_.values[Layout::kTangentStart + Layout::TangentAt(kComponents, lane, j, i)] =
+            tangents(i, j);
     }
   }
 
@@ -455,6 +448,7 @@ class Group {
   int busy_ = 0;
   Lane lanes_[kN];
   States<Layout> start_;
+  Arrivals<Layout> arrivals_;
   StepResult<Layout> results_[kRemembers ? 2 : 1];
   StepResult<Layout>* step_ = results_;
   StepResult<Layout>* before_ = results_ + (kRemembers ? 1 : 0);

@@ -38,6 +38,12 @@ struct Layout {
   static constexpr int kTangentStart =
       (kOrbitSize + kTangentLanes - 1) / kTangentLanes * kTangentLanes;
   static constexpr int kSize = kTangentStart + kTangents * kComponents * kTangentLanes;
+
+  /// Where among tangents of `size` components one's is.
+  static constexpr int TangentAt(int size, int lane, int tangent, int component) {
+    return kAlike ? (tangent * size + component) * kOrbits + lane
+                  : component * kTangentLanes + tangent;
+  }
 };
 
 /// The states of a group with their times, or their rates with those of time.
@@ -79,7 +85,8 @@ struct StageRows {
 
 template <std::size_t kNow, std::size_t kBefore>
 HWY_INLINE StageRows RowsOf(const TwoStepRow<kNow, kBefore>& row) {
-  return {{row.now.data(), row.now.data() + kNow}, {row.before.data(), row.before.data() + kBefore}};
+  return {{row.now.data(), row.now.data() + kNow},
+          {row.before.data(), row.before.data() + kBefore}};
 }
 
 HWY_INLINE StageRows RowsAt(int stage, bool two_step) {

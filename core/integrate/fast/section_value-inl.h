@@ -12,6 +12,8 @@
 #define CELT_FAST_SECTION_VALUE_INL_H_
 #endif
 
+#include "core/integrate/fast/coordinates.h"
+#include "core/integrate/fast/lanes.h"
 #include "core/integrate/fast/pack-inl.h"
 #include "core/integrate/fast/stone_rate-inl.h"
 #include "hwy/highway.h"
@@ -48,6 +50,17 @@ HWY_INLINE SectionPlace<V> Locate(const StoneConstants& constants, double cosine
   const V c = Fms(m[2], along, square) * up;
   const V cos = Set<V>(cosine), sin = Set<V>(sine);
   return {Fms(s, cos, c * sin), Fma(s, sin, c * cos)};
+}
+
+/// The same for one orbit.
+HWY_INLINE SectionPlace<double> PlaceAt(const Problem& problem, const FastState& x,
+                                        double gravity) {
+  using One = Lanes<1>;
+  One state[kComponents];
+  for (int i = 0; i < kComponents; ++i) state[i] = Set<One>(x[i]);
+  const SectionPlace<One> place = Locate(problem.constants, problem.event.cosine(),
+                                         problem.event.sine(), Set<One>(gravity), state);
+  return {hn::GetLane(place.value), hn::GetLane(place.side)};
 }
 
 }  // namespace celt::fast::HWY_NAMESPACE
