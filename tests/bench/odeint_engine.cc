@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "absl/status/status.h"
-#include "core/integrate/fast/coordinates.h"
+#include "tests/bench/chart.h"
 #include "tests/bench/odeint_crossing.h"
 
 namespace celt::bench {
@@ -70,11 +70,11 @@ bool OdeintEngine::CrossByFast(const CrossingTask& task, Crossing& crossing) con
   const double up = task.state[5] > 0 ? 1 : -1;
   State state{};
   State rate{};
-  const fast::FastState x = fast::FromMomentum(stone_, task.state);
+  const FastState x = FromMomentum(stone_, task.state);
   InColumns columns(state.data());
   columns.col(0) = x;
   if constexpr (kTangents > 0) {
-    columns.template rightCols<3>() = fast::FromMomentum(stone_, x, up, task.tangents);
+    columns.template rightCols<3>() = FromMomentum(stone_, x, up, task.tangents);
   }
   const FastEquations equations{.constants = fast::StoneConstants(stone_),
                                 .gravity = up * stone_.parameters().gravity,
@@ -83,7 +83,7 @@ bool OdeintEngine::CrossByFast(const CrossingTask& task, Crossing& crossing) con
   if (!CrossByOdeint<FastEquations, kTangents>(equations, tolerance_, state, rate, crossing.time)) {
     return false;
   }
-  const fast::Chart chart = fast::ToMomentum(stone_, columns.col(0), up);
+  const Chart chart = ToMomentum(stone_, columns.col(0), up);
   crossing.state = chart.state;
   crossing.velocity = chart.derivative * InColumns(rate.data()).col(0);
   if constexpr (kTangents > 0) {

@@ -8,7 +8,7 @@
 namespace celt::fast {
 namespace {
 
-constexpr LagrangeTable<kInterpolated.size()> MakeTable() {
+constexpr LagrangeTable<double, kInterpolated.size()> MakeTable() {
   std::array<double, kInterpolated.size()> nodes{};
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = kNodes[kInterpolated[i]];
   return IntegratedLagrange(nodes);

@@ -31,6 +31,7 @@
 #include "absl/strings/string_view.h"
 #include "core/integrate/crossing.h"
 #include "core/integrate/fast/coordinates.h"
+#include "core/integrate/fast/departure-inl.h"
 #include "core/integrate/fast/landing.h"
 #include "core/integrate/fast/lanes.h"
 #include "core/integrate/fast/runge_kutta-inl.h"
@@ -117,6 +118,7 @@ class Group {
   /// and go to `leave`.
   template <class Leave>
   void Advance(CrossingFeed& feed, const Leave& leave) {
+    if (departures_.any()) departures_.Start(problem_.constants, start_);
     StepAll();
     AcceptPlain();
     if (std::any_of(lanes_, lanes_ + kN, [](const Lane& lane) { return lane.landing; })) {
@@ -164,8 +166,7 @@ class Group {
   /// An idle lane computes on, harmlessly.
   void Park(int lane) {
     lanes_[lane] = {};
-    PutOrbit(lane, FastState::Zero());
-    if constexpr (kWithTangents) PutTangents(lane, FastTangents::Zero());
+    PutColumn({}, start_, lane);
     start_.time[lane] = 0;
     steps_[lane] = 0;
     start_value_[lane] = 0;
@@ -185,12 +186,12 @@ class Group {
     own.up = task.state[5] > 0 ? 1 : -1;
     ++busy_;
     gravity_[lane] = own.up * problem_.constants.gravity;
-    const FastState x = FromMomentum(problem_.stone, task.state);
-    PutOrbit(lane, x);
-    if constexpr (kWithTangents) {
-      PutTangents(lane, FromMomentum(problem_.stone, x, own.up, task.tangents));
+    const auto gamma = task.state.template tail<3>();
+    const double tilt = gamma.template head<2>().squaredNorm() / (gamma[2] * gamma[2]);
+    if (!(tilt < kMostTilt)) {
+      return Finish(feed, lane, LostOrbit(task.state, 0, kTilted), Crossing());
     }
-    if (!(x.template tail<2>().squaredNorm() < kMostTilt)) Lose(feed, lane, kTilted);
+    departures_.Add(task, problem_.stone.parameters().mass, lane);
   }
 
   Flight<Layout> Take(int lane) {
@@ -406,7 +407,8 @@ class Group {
 
   void Lose(CrossingFeed& feed, int lane, absl::string_view why) {
     Finish(feed, lane,
-           LostOrbit(problem_, OrbitOf(start_, lane), lanes_[lane].up, start_.time[lane], why),
+           LostOrbit(ToMomentum(problem_.stone, OrbitOf(start_, lane), lanes_[lane].up),
+                     start_.time[lane], why),
            Crossing());
   }
 
@@ -421,17 +423,6 @@ class Group {
     FastState x;
     for (int i = 0; i < kComponents; ++i) x[i] = states.values[i * kN + lane];
     return x;
-  }
-  void PutOrbit(int lane, const FastState& x) {
-    for (int i = 0; i < kComponents; ++i) start_.values[i * kN + lane] = x[i];
-  }
-
-  void PutTangents(int lane, const FastTangents& tangents) {
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < kComponents; ++i)
-        start_.values[Layout::kTangentStart + Layout::TangentAt(kComponents, lane, j, i)] =
-            tangents(i, j);
-    }
   }
 
   static constexpr double kShortestStep = 1e-12;  // in scaled time, where the steps are about 0.3
@@ -448,6 +439,7 @@ class Group {
   int busy_ = 0;
   Lane lanes_[kN];
   States<Layout> start_;
+  Departures<Layout> departures_;
   Arrivals<Layout> arrivals_;
   StepResult<Layout> results_[kRemembers ? 2 : 1];
   StepResult<Layout>* step_ = results_;

@@ -19,9 +19,7 @@ double StepFactor(double square_ratio) {
   return std::clamp(factor, kLeast, kMost);
 }
 
-absl::Status LostOrbit(const Problem& problem, const FastState& x, double up, double time,
-                       absl::string_view why) {
-  const StoneState state = ToMomentum(problem.stone, x, up).state;
+absl::Status LostOrbit(const StoneState& state, double time, absl::string_view why) {
   return absl::OutOfRangeError(absl::StrCat("orbit lost at t = ", time, ", (M, gamma) = (",
                                             absl::StrJoin(state, ", "), "): ", why));
 }

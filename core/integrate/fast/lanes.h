@@ -2,7 +2,6 @@
 
 #include "absl/status/status.h"
 #include "absl/strings/string_view.h"
-#include "core/integrate/fast/coordinates.h"
 #include "core/integrate/fast/stone_constants.h"
 #include "core/integrate/section_event.h"
 #include "core/model/celtic_stone.h"
@@ -27,7 +26,6 @@ double StepFactor(double square_ratio);
 inline constexpr double kCalm = 0.24;
 
 /// OUT_OF_RANGE, with the time and the state in the message.
-absl::Status LostOrbit(const Problem& problem, const FastState& x, double up, double time,
-                       absl::string_view why);
+absl::Status LostOrbit(const StoneState& state, double time, absl::string_view why);
 
 }  // namespace celt::fast

@@ -1,10 +1,10 @@
 // Compiled once for each SIMD target: included by files that go through hwy/foreach_target.h.
 //
-// From (ω, q) back to (M, γ), with the derivative. With A as in stone_rate-inl.h, ρ = r·ω,
+// Between (ω, q) and (M, γ), with the derivative. With A as in stone_rate-inl.h, ρ = r·ω,
 // f_j = r·∂r/∂q_j,
 //
 //     M/m = Aω,   ∂(Aω)/∂q_j = 2 f_j ω − ρ ∂r/∂q_j − r (∂r/∂q_j·ω),
-//     γ = γ₃ (q₁, q₂, 1),   δγ = γ₃ (δq₁, δq₂, 0) − γ₃² (q·δq) γ.
+//     γ = γ₃ (q₁, q₂, 1),   δγ = γ₃ (δq₁, δq₂, 0) − γ₃² (q·δq) γ,   δq_j = (δγ_j − q_j δγ₃)/γ₃.
 #if defined(CELT_FAST_MOMENTUM_CHART_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CELT_FAST_MOMENTUM_CHART_INL_H_
 #undef CELT_FAST_MOMENTUM_CHART_INL_H_
@@ -77,6 +77,69 @@ struct MomentumChart {
     out[1] = Fnma(n23, v[2], Fma(Spread<T>(a.a22), v[1], a12 * v[0]));
     out[2] = Fma(Spread<T>(a.a33), v[2], Fnms(n23, v[1], n13 * v[0]));
   }
+};
+
+/// A⁻¹, by its adjugate.
+template <class V>
+struct InverseInertia {
+  InverseInertia() = default;
+  HWY_INLINE explicit InverseInertia(const Contact<V>& a) {
+    i11 = Fms(a.a22, a.a33, a.n23 * a.n23);
+    i12 = Fms(a.n13, a.n23, a.a12 * a.a33);
+    i13 = Fms(a.n13, a.a22, a.a12 * a.n23);
+    const V over = Set<V>(1) / Fnma(a.n13, i13, Fma(a.a12, i12, a.a11 * i11));
+    i11 = i11 * over;
+    i12 = i12 * over;
+    i13 = i13 * over;
+    i22 = Fms(a.a11, a.a33, a.n13 * a.n13) * over;
+    i23 = Fms(a.a11, a.n23, a.a12 * a.n13) * over;
+    i33 = Fms(a.a11, a.a22, a.a12 * a.a12) * over;
+  }
+
+  template <class T>
+  HWY_INLINE void Apply(const T* HWY_RESTRICT m, T* HWY_RESTRICT out) const {
+    const T t12 = Spread<T>(i12), t13 = Spread<T>(i13), t23 = Spread<T>(i23);
+    out[0] = Fma(t13, m[2], Fma(t12, m[1], Spread<T>(i11) * m[0]));
+    out[1] = Fma(t23, m[2], Fma(Spread<T>(i22), m[1], t12 * m[0]));
+    out[2] = Fma(Spread<T>(i33), m[2], Fma(t23, m[1], t13 * m[0]));
+  }
+
+  V i11, i12, i13, i22, i23, i33;
+};
+
+/// The way back, from a state (M/m, γ) with γ₃ ≠ 0. |γ| is taken as 1.
+template <class V>
+struct VelocityChart {
+  HWY_INLINE VelocityChart(const StoneConstants& k, const V* HWY_RESTRICT state)
+      : over_gamma3(Set<V>(1) / state[5]) {
+    x[3] = state[3] * over_gamma3;
+    x[4] = state[4] * over_gamma3;
+    inverse = InverseInertia<V>(Contact<V>(k, x[3], x[4]));
+    inverse.Apply(state, x);
+    const V up = IfLessEqual(Set<V>(0), state[5], Set<V>(1), Set<V>(-1));
+    const MomentumChart<V> back(k, up, x);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 2; ++j) by_q[i][j] = back.by_q[i][j];
+    }
+  }
+
+  /// (δω, δq) of (δM/m, δγ), which is tangent to |γ| = 1; what it has along γ is dropped.
+  template <class T>
+  HWY_INLINE void Push(const T* HWY_RESTRICT v, T* HWY_RESTRICT out) const {
+    const T over = Spread<T>(over_gamma3);
+    out[3] = Fnma(Spread<T>(x[3]), v[5], v[3]) * over;
+    out[4] = Fnma(Spread<T>(x[4]), v[5], v[4]) * over;
+    T m[3];
+    for (int i = 0; i < 3; ++i) {
+      m[i] = Fnma(Spread<T>(by_q[i][1]), out[4], Fnma(Spread<T>(by_q[i][0]), out[3], v[i]));
+    }
+    inverse.Apply(m, out);
+  }
+
+  V over_gamma3;
+  V x[kComponents];  ///< (ω, q)
+  InverseInertia<V> inverse;
+  V by_q[3][2];
 };
 
 }  // namespace celt::fast::HWY_NAMESPACE

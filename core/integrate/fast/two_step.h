@@ -19,8 +19,8 @@ namespace celt::fast {
 ///     x_i = x_0 + h ∫₀^cᵢ p(θ) dθ,   p through θ = 0, the stages of this step so far and, at
 ///                                    θ = c_j − 1, stages 12, 11, 8 of the step before.
 ///
-/// From stage 7 on nothing changes. Which nodes: the choice of some 10⁵ tried, by the map's error on
-/// attractors at seven energies and stones, where more nodes gain nothing.
+/// From stage 7 on nothing changes. Which nodes: the choice of some 10⁵ tried, by the map's error
+/// on attractors at seven energies and stones, where more nodes gain nothing.
 
 /// Stages of the step before that are made use of.
 inline constexpr std::array<int, 3> kHistory = {8, 11, 12};
@@ -40,22 +40,21 @@ template <std::size_t kNow, std::size_t kBefore>
 constexpr TwoStepRow<kNow, kBefore> InterpolatingRow(const std::array<int, kNow>& now,
                                                      const std::array<int, kBefore>& before,
                                                      double end) {
-  std::array<double, kNow + kBefore> nodes{};
+  std::array<long double, kNow + kBefore> nodes{};  // so that a weight is rounded once
   for (std::size_t i = 0; i < kNow; ++i) {
     nodes[i] = now[i] == kEarlyStage ? kEarlyNode : kNodes[now[i]];
   }
-  for (std::size_t i = 0; i < kBefore; ++i) nodes[kNow + i] = kNodes[before[i]] - 1;
-  const auto weights = IntegralWeights(IntegratedLagrange(nodes), end);
+  for (std::size_t i = 0; i < kBefore; ++i) nodes[kNow + i] = kNodes[before[i]] - 1.0L;
+  const auto weights = IntegralWeights<long double>(IntegratedLagrange(nodes), end);
   TwoStepRow<kNow, kBefore> row{};
-  for (std::size_t i = 0; i < kNow; ++i) row.now[i] = {now[i], weights[i]};
-  for (std::size_t i = 0; i < kBefore; ++i) row.before[i] = {before[i], weights[kNow + i]};
+  for (std::size_t i = 0; i < kNow; ++i) row.now[i] = {now[i], static_cast<double>(weights[i])};
+  for (std::size_t i = 0; i < kBefore; ++i)
+    row.before[i] = {before[i], static_cast<double>(weights[kNow + i])};
   return row;
 }
 
 inline constexpr auto kEarlyRow = InterpolatingRow<1, 3>({0}, {12, 11, 8}, kEarlyNode);
-inline constexpr auto kFifthRow =
-    InterpolatingRow<2, 3>({0, kEarlyStage}, {12, 11, 8}, kNodes[5]);
-inline constexpr auto kSixthRow =
-    InterpolatingRow<3, 2>({0, kEarlyStage, 5}, {11, 8}, kNodes[6]);
+inline constexpr auto kFifthRow = InterpolatingRow<2, 3>({0, kEarlyStage}, {12, 11, 8}, kNodes[5]);
+inline constexpr auto kSixthRow = InterpolatingRow<3, 2>({0, kEarlyStage, 5}, {11, 8}, kNodes[6]);
 
 }  // namespace celt::fast
