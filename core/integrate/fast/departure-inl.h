@@ -22,11 +22,10 @@ namespace celt::fast::HWY_NAMESPACE {
 template <class Layout>
 class Departures {
  public:
-  bool any() const {
-    return std::any_of(begins_, begins_ + kN, [](double begins) { return begins > 0; });
-  }
+  bool any() const { return any_; }
 
   void Add(const CrossingTask& task, double mass, int lane) {
+    any_ = true;
     begins_[lane] = 1;
     for (int i = 0; i < kChartSize; ++i) {
       const double scale = i < 3 ? 1 / mass : 1;
@@ -57,6 +56,7 @@ class Departures {
         Replace(Spread<T>(begins), pushed[i], out + i * kLanes<T>);
       }
     }
+    any_ = false;
     std::fill_n(begins_, kN, 0);
   }
 
@@ -68,6 +68,7 @@ class Departures {
     Store(IfLessEqual(Set<V>(1), where, value, Load<V>(at)), at);
   }
 
+  bool any_ = false;
   HWY_ALIGN double begins_[kN] = {};  ///< 1 where a lane begins, else 0
   HWY_ALIGN double state_[kChartSize * kN] = {};
   HWY_ALIGN double tangents_[std::max(1, kChartSize* Layout::kTangents* Layout::kTangentLanes)] =

@@ -101,12 +101,12 @@ class Group {
            .up = flight.gravity > 0 ? 1.0 : -1.0};
     ++busy_;
     steps_[lane] = flight.steps;
-    start_.time[lane] = flight.time;
+    start_->time[lane] = flight.time;
     length_[lane] = flight.length;
     gravity_[lane] = flight.gravity;
     start_value_[lane] = flight.value;
     start_side_[lane] = flight.side;
-    PutColumn(flight.state, start_, lane);
+    PutColumn(flight.state, *start_, lane);
     if constexpr (kRemembers) {
       for (std::size_t i = 0; i < kHistory.size(); ++i) {
         PutColumn(flight.history[i], before_->stages[kHistory[i]], lane);
@@ -118,19 +118,14 @@ class Group {
   /// and go to `leave`.
   template <class Leave>
   void Advance(CrossingFeed& feed, const Leave& leave) {
-    if (departures_.any()) departures_.Start(problem_.constants, start_);
+    if (departures_.any()) departures_.Start(problem_.constants, *start_);
     StepAll();
-    AcceptPlain();
-    if (std::any_of(lanes_, lanes_ + kN, [](const Lane& lane) { return lane.landing; })) {
-      TouchDown(problem_, gravity_, step_->end, arrivals_);
-    }
-    for (int lane = 0; lane < kN; ++lane) {
-      lanes_[lane].steady = accept_[lane] > 0;
-      if (accept_[lane] == 0 && lanes_[lane].busy) Settle(feed, lane);
-    }
-    MoveOn();
-    for (int lane = 0; lane < kN; ++lane) {
-      if (lanes_[lane].busy && lanes_[lane].steady != kRemembers) leave(Take(lane));
+    const bool all_plain = AcceptPlain();
+    if (!all_plain) SettleAll(feed);
+    MoveOn(all_plain);
+    for (int lane = 0; lane < kN && !(kRemembers && all_plain); ++lane) {
+      const bool steady = all_plain || lanes_[lane].steady;
+      if (lanes_[lane].busy && steady != kRemembers) leave(Take(lane));
     }
     if constexpr (kRemembers) std::swap(step_, before_);
   }
@@ -166,8 +161,8 @@ class Group {
   /// An idle lane computes on, harmlessly.
   void Park(int lane) {
     lanes_[lane] = {};
-    PutColumn({}, start_, lane);
-    start_.time[lane] = 0;
+    PutColumn({}, *start_, lane);
+    start_->time[lane] = 0;
     steps_[lane] = 0;
     start_value_[lane] = 0;
     start_side_[lane] = 0;
@@ -200,12 +195,12 @@ class Group {
                           .ticket = own.ticket,
                           .passes = own.passes,
                           .steps = steps_[lane],
-                          .time = start_.time[lane],
+                          .time = start_->time[lane],
                           .length = length_[lane],
                           .gravity = gravity_[lane],
                           .value = start_value_[lane],
                           .side = start_side_[lane],
-                          .state = ColumnOf(start_, lane),
+                          .state = ColumnOf(*start_, lane),
                           .history = {}};
     if constexpr (!kRemembers) {
       for (std::size_t i = 0; i < kHistory.size(); ++i) {
@@ -231,8 +226,8 @@ class Group {
     const V length = Load<V>(length_);
     const V one = Set<V>(1);
     const Stride<V> stride{length, one / length, Load<V>(gravity_)};
-    Step<Layout>(problem_.constants, stride, start_, kRemembers ? before_->stages : nullptr,
-                 *step_);
+    Step<Layout>(problem_.constants, stride, *start_, kRemembers ? before_->stages : nullptr,
+                 *step_, *end_);
 
     V x[kComponents], error[kComponents];
     const auto locate = [&](const double* orbit, double* values, double* sides) HWY_ATTR {
@@ -243,10 +238,10 @@ class Group {
       Store(place.side, sides);
     };
     locate(step_->middle, middle_value_, middle_side_);
-    locate(step_->end.values, end_value_, end_side_);
+    locate(end_->values, end_value_, end_side_);
     // Errors relative to |ω| (or the frequency of gravity, if that is more) and to |(q, 1)|.
     LoadAll(step_->error, error);
-    LoadAll(start_.values, x);
+    LoadAll(start_->values, x);
     const V spin =
         Fma(x[2], x[2], Fma(x[1], x[1], Fma(x[0], x[0], Set<V>(problem_.constants.least_spin))));
     const V tilt = Fma(x[4], x[4], Fma(x[3], x[3], one));
@@ -258,9 +253,9 @@ class Group {
     Store(Load<V>(steps_) + one, steps_);
   }
 
-  /// Accepts the steps of which Settle would say no more than that. In doubt, as where a number is
-  /// NaN, it leaves them to Settle.
-  void AcceptPlain() {
+  /// Accepts the steps of which Settle would say no more than that; whether these are all. In
+  /// doubt, as where a number is NaN, it leaves them to Settle.
+  bool AcceptPlain() {
     const V no = Set<V>(0);
     V plain = Set<V>(1);
     const auto at_most = [&](const V& a, const V& b)
@@ -268,8 +263,8 @@ class Group {
     at_most(Load<V>(ratio_), Set<V>(kCalm));
     at_most(Set<V>(problem_.longest_step), Load<V>(length_) * Set<V>(direction_));
     at_most(Load<V>(steps_), Set<V>(problem_.most_steps));
-    at_most(Load<V>(step_->end.time) * Set<V>(direction_), Set<V>(problem_.longest_time));
-    const V q1 = Load<V>(step_->end.values + 3 * kN), q2 = Load<V>(step_->end.values + 4 * kN);
+    at_most(Load<V>(end_->time) * Set<V>(direction_), Set<V>(problem_.longest_time));
+    const V q1 = Load<V>(end_->values + 3 * kN), q2 = Load<V>(end_->values + 4 * kN);
     at_most(Fma(q2, q2, q1 * q1), Set<V>(0.99 * kMostTilt));
     const auto same_sign = [&](const double* a, const double* b) HWY_ATTR {
       at_most(Set<V>(std::numeric_limits<double>::min()), Load<V>(a) * Load<V>(b));
@@ -279,6 +274,19 @@ class Group {
     same_sign(start_side_, middle_side_);
     same_sign(middle_side_, end_side_);
     Store(plain, accept_);
+    return AllLessEqual(Set<V>(1), plain);
+  }
+
+  /// Decides about those that are not plain.
+  void SettleAll(CrossingFeed& feed) {
+    if (!kRemembers &&
+        std::any_of(lanes_, lanes_ + kN, [](const Lane& lane) { return lane.landing; })) {
+      TouchDown(problem_, gravity_, *end_, arrivals_);
+    }
+    for (int lane = 0; lane < kN; ++lane) {
+      lanes_[lane].steady = accept_[lane] > 0;
+      if (accept_[lane] == 0 && lanes_[lane].busy) Settle(feed, lane);
+    }
   }
 
   /// Decides what the step just taken means to a lane.
@@ -295,7 +303,7 @@ class Group {
     if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
 
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
-    if (std::abs(step_->end.time[lane]) > problem_.longest_time)
+    if (std::abs(end_->time[lane]) > problem_.longest_time)
       return Lose(feed, lane, "no crossing within the longest time");
     accept_[lane] = 1;
     const double now = std::abs(length_[lane]);
@@ -306,8 +314,8 @@ class Group {
   }
 
   double end_tilt(int lane) const {
-    const double q1 = step_->end.values[3 * kN + lane];
-    const double q2 = step_->end.values[4 * kN + lane];
+    const double q1 = end_->values[3 * kN + lane];
+    const double q2 = end_->values[4 * kN + lane];
     return q1 * q1 + q2 * q2;
   }
 
@@ -317,19 +325,20 @@ class Group {
   }
 
   /// Starts the next step at the end of this one, where it was accepted.
-  void MoveOn() {
+  void MoveOn(bool all) {
     const V one = Set<V>(1);
     const V accept = Load<V>(accept_);
     const auto take = [&](const double* from, double* to) HWY_ATTR {
       Store(IfLessEqual(one, accept, Load<V>(from), Load<V>(to)), to);
     };
-    take(step_->end.time, start_.time);
     take(end_value_, start_value_);
     take(end_side_, start_side_);
+    if (all) return std::swap(start_, end_);
+    take(end_->time, start_->time);
     if constexpr (Layout::kAlike) {
-      for (int i = 0; i < Layout::kSize; i += kN) take(step_->end.values + i, start_.values + i);
+      for (int i = 0; i < Layout::kSize; i += kN) take(end_->values + i, start_->values + i);
     } else {
-      if (accept_[0] > 0) std::copy_n(step_->end.values, Layout::kSize, start_.values);
+      if (accept_[0] > 0) std::copy_n(end_->values, Layout::kSize, start_->values);
     }
   }
 
@@ -384,7 +393,7 @@ class Group {
 
   FastState PartOfStep(int lane, double part) const {
     const auto weights = PartWeights(part);
-    FastState x = OrbitOf(start_, lane);
+    FastState x = OrbitOf(*start_, lane);
     for (std::size_t j = 0; j < weights.size(); ++j) {
       x += weights[j] * OrbitOf(step_->stages[kInterpolated[j]], lane);
     }
@@ -407,8 +416,8 @@ class Group {
 
   void Lose(CrossingFeed& feed, int lane, absl::string_view why) {
     Finish(feed, lane,
-           LostOrbit(ToMomentum(problem_.stone, OrbitOf(start_, lane), lanes_[lane].up),
-                     start_.time[lane], why),
+           LostOrbit(ToMomentum(problem_.stone, OrbitOf(*start_, lane), lanes_[lane].up),
+                     start_->time[lane], why),
            Crossing());
   }
 
@@ -438,7 +447,9 @@ class Group {
   const double sense_;      ///< e times this grows through zero at a crossing
   int busy_ = 0;
   Lane lanes_[kN];
-  States<Layout> start_;
+  States<Layout> states_[2];
+  States<Layout>* start_ = states_;    ///< of the step
+  States<Layout>* end_ = states_ + 1;  ///< of the step
   Departures<Layout> departures_;
   Arrivals<Layout> arrivals_;
   StepResult<Layout> results_[kRemembers ? 2 : 1];

@@ -120,6 +120,11 @@ template <class V>
 HWY_INLINE V IfLessEqual(V a, V b, V yes, V no) {
   return hn::IfThenElse(hn::Le(a, b), yes, no);
 }
+/// Whether a ≤ b in every lane.
+template <class V>
+HWY_INLINE bool AllLessEqual(V a, V b) {
+  return hn::AllTrue(hn::DFromV<V>(), hn::Le(a, b));
+}
 
 template <class T>
 HWY_INLINE Pair<T> operator+(const Pair<T>& x, const Pair<T>& y) {
@@ -173,6 +178,11 @@ template <class T>
 HWY_INLINE Pair<T> IfLessEqual(const Pair<T>& x, const Pair<T>& y, const Pair<T>& yes,
                                const Pair<T>& no) {
   return {IfLessEqual(x.a, y.a, yes.a, no.a), IfLessEqual(x.b, y.b, yes.b, no.b)};
+}
+
+template <class T>
+HWY_INLINE bool AllLessEqual(const Pair<T>& x, const Pair<T>& y) {
+  return AllLessEqual(x.a, y.a) && AllLessEqual(x.b, y.b);
 }
 
 }  // namespace celt::fast::HWY_NAMESPACE

@@ -53,11 +53,9 @@ struct States {
   HWY_ALIGN double time[Layout::kOrbits];
 };
 
-/// What a step leaves: the new states, the error estimate, the orbit half-way, and the
-/// stages.
+/// What a step leaves but for the new states: the error estimate, the orbit half-way, the stages.
 template <class Layout>
 struct StepResult {
-  States<Layout> end;
   HWY_ALIGN double error[Layout::kOrbitSize];
   HWY_ALIGN double middle[Layout::kOrbitSize];
   States<Layout> stages[kStages];
@@ -183,7 +181,8 @@ HWY_INLINE void EvaluateStage(const StoneConstants& constants,
 template <class Layout>
 HWY_NOINLINE void Step(const StoneConstants& constants,
                        const Stride<typename Layout::Orbit>& stride, const States<Layout>& start,
-                       const States<Layout>* before, StepResult<Layout>& result) {
+                       const States<Layout>* before, StepResult<Layout>& result,
+                       States<Layout>& end) {
   using V = typename Layout::Orbit;
   States<Layout>* const stages = result.stages;
   const bool two_step = before != nullptr;
@@ -195,11 +194,11 @@ HWY_NOINLINE void Step(const StoneConstants& constants,
     if (stage == kMiddleStage) StoreAll(x, result.middle);
   }
 
-  CombineAll(RowAt(kStages), start, stages, result.end.values);
+  CombineAll(RowAt(kStages), start, stages, end.values);
   V time = Load<V>(start.time);
   for (const Coefficient& c : RowAt(kStages))
     time = Fma(Set<V>(c.value), Load<V>(stages[c.stage].time), time);
-  Store(time, result.end.time);
+  Store(time, end.time);
   HWY_ALIGN static constexpr double kZero[Layout::kOrbitSize] = {};
   Combine<Layout, kComponents>(RowAt(kStages + 1), kZero, stages->values, x);
   StoreAll(x, result.error);
