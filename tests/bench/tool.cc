@@ -23,7 +23,7 @@ Engine EngineOf(const std::string& name) {
 
 const std::vector<Tool>& Tools() {
   static const std::vector<Tool> tools = {
-      {"fast", 1e-10},          {"fast", 1.2e-11},      {"fast", 1e-11},
+      {"fast", 1e-10},          {"fast", 1.4e-11},      {"fast", 1e-11},
       {"fast", 1e-12},          {"odeint", 1e-9},       {"odeint", 3e-10},
       {"odeint", 2.5e-10},      {"odeint", 1e-10},      {"odeint", 3e-11},
       {"odeint", 1e-11},        {"odeint-fast", 1e-9},  {"odeint-fast", 3e-10},

@@ -133,7 +133,7 @@ struct FastSectionEngine::Impl {
 namespace {
 
 /// Step in scaled time, over tolerance^(1/9).
-constexpr double kStep = 4.3;
+constexpr double kStep = 4.2;
 /// What the error estimate may be in a step, over tolerance^(8/9): like the step's power of its
 /// order.
 constexpr double kGuard = 30;

@@ -21,12 +21,13 @@ struct FastOptions {
 /// steps and its own end, a lane taking the feed's next task as soon as it is free.
 ///
 /// Equations: (ω, q) with q = (γ₁, γ₂)/γ₃ in place of (M, γ), in a scaled time in which equal steps
-/// err about equally (stone_rate-inl.h). Method: Verner's pair of orders 9(8) (verner9.h), tangents
-/// in the same stages. The step in scaled time is 4.3 tolerance^(1/9), and shorter only where the
-/// pair's error estimate for the orbit exceeds 30 tolerance^(8/9), relative to |ω| and |(q, 1)|. So
-/// tangents have no say in the steps, and an orbit is the same to the last bit with them and
-/// without. The map errs by at most 5 tolerances, its Jacobian by 30 (section_engine.h has a
-/// table).
+/// err about equally (stone_rate-inl.h). Method: the ninth-order one of Verner's pair of orders
+/// 9(8) (verner9.h), with three of its fifteen stages less where a step follows one of its own
+/// length (two_step.h); tangents in the same stages. The step in scaled time is 4.2
+/// tolerance^(1/9), and shorter only where an error estimate for the orbit exceeds 30
+/// tolerance^(8/9), relative to |ω| and |(q, 1)|. So tangents have no say in the steps, and an
+/// orbit is the same to the last bit with them and without. The map errs by at most 5 tolerances,
+/// its Jacobian by 30 (section_engine.h has a table).
 ///
 /// The section is found where e of section_event.h changes its sign, looked at twice a step, and
 /// landed on by a step of the method itself from the last state before it; what is then left, about

@@ -125,7 +125,7 @@ class Group {
     MoveOn(all_plain);
     for (int lane = 0; lane < kN && !(kRemembers && all_plain); ++lane) {
       const bool steady = all_plain || lanes_[lane].steady;
-      if (lanes_[lane].busy && steady != kRemembers) leave(Take(lane));
+      if (lanes_[lane].busy && Leaves(steady)) leave(Take(lane));
     }
     if constexpr (kRemembers) std::swap(step_, before_);
   }
@@ -156,6 +156,11 @@ class Group {
     int lane = 0;
     while (lanes_[lane].busy) ++lane;
     return lane;
+  }
+
+  /// Whether a lane takes its next step elsewhere.
+  bool Leaves(bool steady) const {
+    return steady != kRemembers && problem_.longest_step <= kLongestTwoStep;
   }
 
   /// An idle lane computes on, harmlessly.

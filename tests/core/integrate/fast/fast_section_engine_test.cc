@@ -7,9 +7,11 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "core/integrate/fast/two_step.h"
 #include "core/integrate/section_event.h"
 #include "core/integrate/sundials_section_engine.h"
 #include "core/model/andoyer.h"
@@ -48,10 +50,15 @@ std::vector<Crossing> Cross(const SectionEngine& engine, const std::vector<Cross
   return feed.crossings;
 }
 
-std::vector<Crossing> RunInLanes(int lanes, const std::vector<CrossingTask>& tasks,
+/// Tolerances by which steps do without the step before, and make use of it.
+constexpr double kLoose = 1e-10;
+constexpr double kTight = 1e-11;
+
+std::vector<Crossing> RunInLanes(int lanes, double tolerance,
+                                 const std::vector<CrossingTask>& tasks,
                                  Derivative derivative = Derivative::kJacobian) {
-  return Cross(FastSectionEngine(Stone(), kPi, 1e-10, {.lanes = lanes}), tasks, Direction::kForward,
-               derivative);
+  return Cross(FastSectionEngine(Stone(), kPi, tolerance, {.lanes = lanes}), tasks,
+               Direction::kForward, derivative);
 }
 
 /// Equal to the last bit, signs of zeros included.
@@ -109,32 +116,39 @@ TEST(FastSectionEngine, ErrsByAFewTolerancesOverTheAttractor) {
 }
 
 TEST(FastSectionEngine, ConvergesWithTheNinthOrder) {
-  // Steps go with the ninth root of the tolerance. Between these two, errors are above rounding and
-  // steps short enough for the leading term to show.
-  const Errors coarse = ErrorsAt(1e-10);
-  const Errors fine = ErrorsAt(1e-12);
-  const double steps = std::pow(100, 1 / 9.0);
-  EXPECT_GT(std::log(coarse.map / fine.map) / std::log(steps), 8.5);
-  EXPECT_GT(std::log(coarse.jacobian / fine.jacobian) / std::log(steps), 8.5);
+  // Steps go with the ninth root of the tolerance. Between the two of a pair, steps are of one
+  // kind, errors above rounding and steps short enough for the leading term to show.
+  const std::pair<double, double> pairs[] = {{1e-9, kLoose}, {kTight, 1e-12}};
+  for (const auto& [coarse, fine] : pairs) {
+    const Errors more = ErrorsAt(coarse);
+    const Errors less = ErrorsAt(fine);
+    const double steps = std::pow(coarse / fine, 1 / 9.0);
+    EXPECT_GT(std::log(more.map / less.map) / std::log(steps), 8.5) << coarse;
+    EXPECT_GT(std::log(more.jacobian / less.jacobian) / std::log(steps), 8.5) << coarse;
+  }
 }
 
-class LaneCounts : public testing::TestWithParam<int> {};
+class LaneCounts : public testing::TestWithParam<std::tuple<int, double>> {
+ protected:
+  int lanes() const { return std::get<0>(GetParam()); }
+  double tolerance() const { return std::get<1>(GetParam()); }
+};
 
 TEST_P(LaneCounts, GiveTheSameBits) {
   const std::vector<CrossingTask> tasks = ReferenceTasks();
-  const std::vector<Crossing> best = RunInLanes(0, tasks);
-  const std::vector<Crossing> some = RunInLanes(GetParam(), tasks);
+  const std::vector<Crossing> best = RunInLanes(0, tolerance(), tasks);
+  const std::vector<Crossing> some = RunInLanes(lanes(), tolerance(), tasks);
   for (std::size_t i = 0; i < tasks.size(); ++i) ExpectSameBits(best[i], some[i]);
 }
 
 TEST_P(LaneCounts, GiveTheSameBitsInAnyOrder) {
   const std::vector<CrossingTask> tasks = ReferenceTasks();
-  const std::vector<Crossing> in_order = RunInLanes(GetParam(), tasks);
+  const std::vector<Crossing> in_order = RunInLanes(lanes(), tolerance(), tasks);
   // 77 is prime to 200: a permutation that changes every orbit's lane, neighbours and the time it
   // joins them.
   std::vector<CrossingTask> shuffled;
   for (std::size_t i = 0; i < tasks.size(); ++i) shuffled.push_back(tasks[i * 77 % tasks.size()]);
-  const std::vector<Crossing> out_of_order = RunInLanes(GetParam(), shuffled);
+  const std::vector<Crossing> out_of_order = RunInLanes(lanes(), tolerance(), shuffled);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     ExpectSameBits(in_order[i * 77 % tasks.size()], out_of_order[i]);
   }
@@ -142,21 +156,21 @@ TEST_P(LaneCounts, GiveTheSameBitsInAnyOrder) {
 
 TEST_P(LaneCounts, GiveTheSameOrbitWithTangentsAndWithout) {
   const std::vector<CrossingTask> tasks = ReferenceTasks();
-  const std::vector<Crossing> with = RunInLanes(GetParam(), tasks);
-  const std::vector<Crossing> without = RunInLanes(GetParam(), tasks, Derivative::kNone);
+  const std::vector<Crossing> with = RunInLanes(lanes(), tolerance(), tasks);
+  const std::vector<Crossing> without = RunInLanes(lanes(), tolerance(), tasks, Derivative::kNone);
   for (std::size_t i = 0; i < tasks.size(); ++i) ExpectSameBits(with[i], without[i], false);
 }
 
 TEST_P(LaneCounts, DoNotNoticeANeighbourThatIsLost) {
   std::vector<CrossingTask> tasks = ReferenceTasks();
-  const std::vector<Crossing> alone = RunInLanes(GetParam(), tasks);
+  const std::vector<Crossing> alone = RunInLanes(lanes(), tolerance(), tasks);
   // The stone hangs below its contact point and rolls up the paraboloid for ever: γ₃ → 0.
   const CrossingTask lost = TaskAt(Stone(), kEnergy, kPi, {1, 0.9, -0.9});
   for (const std::size_t at : {50, 3, 0}) {
     tasks.insert(tasks.begin() + static_cast<std::ptrdiff_t>(at), lost);
   }
   ListFeed feed(tasks);
-  FastSectionEngine(Stone(), kPi, 1e-10, {.lanes = GetParam()})
+  FastSectionEngine(Stone(), kPi, tolerance(), {.lanes = lanes()})
       .Run(feed, Direction::kForward, Derivative::kJacobian);
   std::size_t good = 0;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -173,7 +187,15 @@ TEST_P(LaneCounts, DoNotNoticeANeighbourThatIsLost) {
   EXPECT_EQ(good, alone.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LaneCounts, testing::Values(1, 4, 8, 16));
+INSTANTIATE_TEST_SUITE_P(All, LaneCounts,
+                         testing::Combine(testing::Values(1, 4, 8, 16),
+                                          testing::Values(kLoose, kTight)));
+
+TEST(FastSectionEngine, IsTestedWithAndWithoutTheStepBefore) {
+  // The step is 4.2 tolerance^(1/9), as the engine's header has it.
+  EXPECT_GT(4.2 * std::pow(kLoose, 1 / 9.0), fast::kLongestTwoStep);
+  EXPECT_LT(4.2 * std::pow(kTight, 1 / 9.0), fast::kLongestTwoStep);
+}
 
 /// Makes the next task of an orbit ready only when the one before is done, as a map's iterates are.
 class ChainFeed final : public CrossingFeed {
@@ -204,7 +226,7 @@ class ChainFeed final : public CrossingFeed {
 
 TEST(FastSectionEngine, CarriesChainsHoweverManyAreLeft) {
   const std::vector<CrossingTask> starts = ReferenceTasks();
-  const FastSectionEngine engine(Stone(), kPi, 1e-10);
+  const FastSectionEngine engine(Stone(), kPi, kTight);
   ChainFeed together({starts.begin(), starts.begin() + 11}, 7);
   engine.Run(together, Direction::kForward, Derivative::kNone);
   for (std::size_t i = 0; i < together.tasks.size(); ++i) {
@@ -223,9 +245,9 @@ Columns HalfTurned(Columns columns) {
 
 TEST(FastSectionEngine, TakesTwinsToTwins) {
   std::vector<CrossingTask> tasks = ReferenceTasks();
-  const std::vector<Crossing> crossings = RunInLanes(0, tasks);
+  const std::vector<Crossing> crossings = RunInLanes(0, kTight, tasks);
   for (CrossingTask& task : tasks) task = {HalfTurned(task.state), HalfTurned(task.tangents)};
-  const std::vector<Crossing> twins = RunInLanes(0, tasks);
+  const std::vector<Crossing> twins = RunInLanes(0, kTight, tasks);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     // Changes of sign round nothing, but sums of three may be taken in another order.
     EXPECT_LT((twins[i].state - HalfTurned(crossings[i].state)).norm(),
