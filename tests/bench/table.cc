@@ -109,14 +109,17 @@ void Collector::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     const auto rate = run.counters.find("items_per_second");
     if (run.run_type != Run::RT_Iteration || rate == run.counters.end()) continue;
-    double& best = rates_[run.run_name.str()];
-    best = std::max<double>(best, rate->second);
+    rates_[run.run_name.str()].push_back(rate->second);
   }
 }
 
 double Collector::Rate(const std::string& name) const {
-  const auto rate = rates_.find(name);
-  return rate == rates_.end() ? 0 : rate->second;
+  const auto found = rates_.find(name);
+  if (found == rates_.end()) return 0;
+  std::vector<double> rates = found->second;
+  const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
+  std::nth_element(rates.begin(), middle, rates.end());
+  return *middle;
 }
 
 std::string Table(const Collector& runs) {

@@ -8,8 +8,9 @@
 
 namespace celt::bench {
 
-/// Shows runs as they end, and keeps the best rate of each, over its repetitions: whatever else the
-/// machine does can only slow a run down.
+/// Shows runs as they end, and keeps the rates of each. What counts is the median over its
+/// repetitions: deploy/bench takes these in random order, so that the slow and the fast phases of a
+/// machine that is shared come to all alike.
 class Collector final : public benchmark::ConsoleReporter {
  public:
   Collector() : ConsoleReporter(OO_None) {}
@@ -18,7 +19,7 @@ class Collector final : public benchmark::ConsoleReporter {
   double Rate(const std::string& name) const;
 
  private:
-  std::map<std::string, double> rates_;
+  std::map<std::string, std::vector<double>> rates_;
 };
 
 /// The comparison as Markdown: each tool at the fastest tolerance that is accurate enough, with
