@@ -76,7 +76,7 @@ TEST(SectionPlan, MeasuresItsAccuracyOnPointsOfTheOrbit) {
   const v1::Accuracy accuracy =
       RunPlan(std::string(kStone) + "section { iterates: 100 }").result.section().accuracy();
   EXPECT_EQ(accuracy.sample(), 16);
-  // 4.4e-11 is the most that was found on the attractor at the default tolerance.
+  // 1.9e-11 is the most that was found on the attractor at the default tolerance.
   EXPECT_GT(accuracy.map_error(), 1e-13);
   EXPECT_LT(accuracy.map_error(), 1e-10);
 }
