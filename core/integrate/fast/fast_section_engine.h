@@ -18,7 +18,8 @@ struct FastOptions {
 
 /// The section engine to use: explicit Runge–Kutta for many orbits at once, side by side in the
 /// lanes of the machine's vectors (AVX-512, AVX2, NEON; found at run time), each orbit with its own
-/// steps and its own end, a lane taking the feed's next task as soon as it is free.
+/// steps and its own end. Up to twice as many orbits are under way as there are lanes, since those
+/// that begin or end have lanes of their own.
 ///
 /// Equations: (ω, q) with q = (γ₁, γ₂)/γ₃ in place of (M, γ), in a scaled time in which equal steps
 /// err about equally (stone_rate-inl.h). Method: the ninth-order one of Verner's pair of orders

@@ -1,9 +1,9 @@
 // Compiled once for each SIMD target: included by files that go through hwy/foreach_target.h.
 //
 // Two groups of lanes that hand ways on to each other. A step that follows one of its own length
-// costs a fifth less (two_step.h), but all lanes of a vector step alike; so the steps that do not,
-// the first of a way, the last, which goes to the section, and such as the error estimate shortens,
-// are taken by a group of their own, and there as many at a time as come together.
+// takes a fifth fewer stages (two_step.h), but all lanes of a vector step alike; so the steps that
+// do not, the first of a way, the last, which goes to the section, and such as the error estimate
+// shortens, are taken by a group of their own, and there as many at a time as come together.
 #if defined(CELT_FAST_RELAY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef CELT_FAST_RELAY_INL_H_
 #undef CELT_FAST_RELAY_INL_H_
@@ -68,7 +68,8 @@ class Relay {
 
   /// When the vector is full, or when lanes have been idle for as long as the two steps take that
   /// bring a way down and send the next one off. Who waits for so long at most never pays more than
-  /// twice what would have been best, and ways that come down at nearly the same time stay together.
+  /// twice what would have been best, and ways that come down at nearly the same time stay
+  /// together.
   bool SinglesAreDue() const {
     constexpr int kPatience = 2 * kN;  // lanes × steps
     if (single_.busy() == 0) return false;
