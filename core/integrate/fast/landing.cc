@@ -30,6 +30,24 @@ double InverseInterpolate(const std::array<PartValue, kMostValues>& points, int 
   return part[0];
 }
 
+/// The part where e vanishes, between `low` and `high`.
+double Zero(const Look& low, const Look& high, const Look& other,
+            absl::FunctionRef<Look(double)> look) {
+  return FindCrossing({low.part, low.value}, {high.part, high.value}, {other.part, other.value},
+                      [look](double part) { return look(part).value; });
+}
+
+/// Where e has one sign at both ends, its side two: the sign of e where the side changes tells.
+std::optional<double> CrossingOfTwo(const Look& low, const Look& high, const Look& other,
+                                    absl::FunctionRef<Look(double)> look) {
+  const Look turn =
+      look(FindCrossing({low.part, low.side}, {high.part, high.side}, {other.part, other.side},
+                        [look](double part) { return look(part).side; }));
+  if (turn.value < 0 && low.value > 0 && high.side > 0) return Zero(turn, high, low, look);
+  if (turn.value > 0 && low.value < 0 && low.side > 0) return Zero(low, turn, high, look);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::array<double, kInterpolated.size()> PartWeights(double part) {
@@ -52,6 +70,20 @@ double FindCrossing(PartValue low, PartValue high, PartValue other,
     points[count] = {part, value(part)};
     ((points[count].value < 0) == (low.value < 0) ? low : high) = points[count];
   }
+}
+
+std::optional<double> CrossingPart(const Look& low, const Look& high, const Look& other,
+                                   absl::FunctionRef<Look(double)> look) {
+  if (low.value < 0 && high.value >= 0) {
+    if (!(low.side > 0 || high.side > 0)) return std::nullopt;
+    const double part = Zero(low, high, other, look);
+    if ((low.side > 0 && high.side > 0) || look(part).side > 0) return part;
+    return std::nullopt;
+  }
+  // Past |L/G| = 1 or |H/G| = 1, (e, side) goes past 0 quickly, and e may change its sign twice.
+  const bool passes = low.value * high.value > 0 && low.side * high.side < 0 &&
+                      std::abs(low.value) < std::abs(low.side - high.side);
+  return passes ? CrossingOfTwo(low, high, other, look) : std::nullopt;
 }
 
 }  // namespace celt::fast

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "absl/functional/function_ref.h"
 #include "core/integrate/fast/verner9.h"
@@ -29,5 +30,17 @@ struct PartValue {
 /// as a rule.
 double FindCrossing(PartValue low, PartValue high, PartValue other,
                     absl::FunctionRef<double(double)> value);
+
+/// Where the orbit is at a part of the step.
+struct Look {
+  double part;
+  double value;  ///< e of section_event.h, with the sign that makes a crossing one upward
+  double side;   ///< positive next to the section, negative half a turn away from it
+};
+
+/// The part of the step at which the orbit crosses the section between `low` and `high`, if it
+/// does. `other` is one more look at the step, `look` takes another.
+std::optional<double> CrossingPart(const Look& low, const Look& high, const Look& other,
+                                   absl::FunctionRef<Look(double)> look);
 
 }  // namespace celt::fast

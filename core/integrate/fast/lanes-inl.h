@@ -20,10 +20,10 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "absl/status/status.h"
@@ -32,6 +32,7 @@
 #include "core/integrate/crossing.h"
 #include "core/integrate/fast/coordinates.h"
 #include "core/integrate/fast/departure-inl.h"
+#include "core/integrate/fast/flight-inl.h"
 #include "core/integrate/fast/landing.h"
 #include "core/integrate/fast/lanes.h"
 #include "core/integrate/fast/runge_kutta-inl.h"
@@ -41,25 +42,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace celt::fast::HWY_NAMESPACE {
-
-/// A way between two steps, in no lane.
-template <class Layout>
-struct Flight {
-  static constexpr int kSize = Layout::kSize / Layout::kOrbits;
-  using Column = std::array<double, kSize>;
-
-  bool landing = false;  ///< the step goes to the section
-  int ticket = 0;
-  int passes = 0;  ///< steps to the section so far
-  double steps = 0;
-  double time = 0;
-  double length = 0;   ///< of the step to take
-  double gravity = 0;  ///< g γ₃/|γ₃|
-  double value = 0;    ///< of the event, and its side
-  double side = 0;
-  Column state;
-  std::array<Column, kHistory.size()> history;  ///< of the step before, where that is asked for
-};
 
 /// Whether steps make use of the step before.
 enum class Memory { kNone, kStepBefore };
@@ -132,16 +114,8 @@ class Group {
 
  private:
   using V = typename Layout::Orbit;
-  using Column = typename Flight<Layout>::Column;
   static constexpr bool kRemembers = kMemory == Memory::kStepBefore;
   static constexpr bool kWithTangents = Layout::kTangents > 0;
-
-  /// Where the orbit is at a part of the step.
-  struct Look {
-    double part;
-    double value;  ///< e, with the sign that makes a crossing one upward
-    double side;
-  };
 
   struct Lane {
     bool busy = false;
@@ -166,7 +140,7 @@ class Group {
   /// An idle lane computes on, harmlessly.
   void Park(int lane) {
     lanes_[lane] = {};
-    PutColumn({}, *start_, lane);
+    PutColumn<Layout>({}, *start_, lane);
     start_->time[lane] = 0;
     steps_[lane] = 0;
     start_value_[lane] = 0;
@@ -174,7 +148,7 @@ class Group {
     length_[lane] = direction_ * problem_.longest_step;
     gravity_[lane] = problem_.constants.gravity;
     if constexpr (kRemembers) {
-      for (const int stage : kHistory) PutColumn({}, step_->stages[stage], lane);
+      for (const int stage : kHistory) PutColumn<Layout>({}, step_->stages[stage], lane);
     }
   }
 
@@ -215,15 +189,6 @@ class Group {
     Park(lane);
     --busy_;
     return flight;
-  }
-
-  static Column ColumnOf(const States<Layout>& states, int lane) {
-    Column column;
-    for (int i = 0; i < Flight<Layout>::kSize; ++i) column[i] = states.values[i * kN + lane];
-    return column;
-  }
-  static void PutColumn(const Column& column, States<Layout>& states, int lane) {
-    for (int i = 0; i < Flight<Layout>::kSize; ++i) states.values[i * kN + lane] = column[i];
   }
 
   /// One step of all lanes, and what there is to know of its outcome.
@@ -305,7 +270,10 @@ class Group {
     const Look begin{0, sense_ * start_value_[lane], start_side_[lane]};
     const Look middle{kNodes[kMiddleStage], sense_ * middle_value_[lane], middle_side_[lane]};
     const Look end{1, sense_ * end_value_[lane], end_side_[lane]};
-    if (Crosses(lane, begin, middle, end) || Crosses(lane, middle, end, begin)) return;
+    const auto look = [&](double part) { return LookAt(lane, part); };
+    std::optional<double> crossing = CrossingPart(begin, middle, end, look);
+    if (!crossing) crossing = CrossingPart(middle, end, begin, look);
+    if (crossing) return Approach(lane, *crossing);
 
     if (!(end_tilt(lane) < kMostTilt)) return Lose(feed, lane, kTilted);
     if (std::abs(end_->time[lane]) > problem_.longest_time)
@@ -347,41 +315,6 @@ class Group {
     }
   }
 
-  /// Whether the orbit crosses the section between `low` and `high`; the lane then goes there.
-  /// `other` is one more look at the step.
-  bool Crosses(int lane, const Look& low, const Look& high, const Look& other) {
-    if (low.value < 0 && high.value >= 0) {
-      if (!(low.side > 0 || high.side > 0)) return false;
-      const double part = Zero(lane, low, high, other);
-      const bool sure = low.side > 0 && high.side > 0;
-      return (sure || LookAt(lane, part).side > 0) && Approach(lane, part);
-    }
-    // Past |L/G| = 1 or |H/G| = 1, (e, side) goes past 0 quickly, and e may change its sign twice.
-    const bool passes = low.value * high.value > 0 && low.side * high.side < 0 &&
-                        std::abs(low.value) < std::abs(low.side - high.side);
-    return passes && CrossesTwice(lane, low, high, other);
-  }
-
-  /// The same where e has one sign at both ends, its side two: the sign of e where the side changes
-  /// tells.
-  bool CrossesTwice(int lane, const Look& low, const Look& high, const Look& other) {
-    const auto side = [&](double part) { return LookAt(lane, part).side; };
-    const Look turn = LookAt(lane, FindCrossing({low.part, low.side}, {high.part, high.side},
-                                                {other.part, other.side}, side));
-    if (turn.value < 0 && low.value > 0 && high.side > 0)
-      return Approach(lane, Zero(lane, turn, high, low));
-    if (turn.value > 0 && low.value < 0 && low.side > 0)
-      return Approach(lane, Zero(lane, low, turn, high));
-    return false;
-  }
-
-  /// The part of the step where e vanishes, between `low` and `high`.
-  double Zero(int lane, const Look& low, const Look& high, const Look& other) const {
-    const auto value = [&](double part) { return LookAt(lane, part).value; };
-    return FindCrossing({low.part, low.value}, {high.part, high.value}, {other.part, other.value},
-                        value);
-  }
-
   Look LookAt(int lane, double part) const {
     const auto place = PlaceAt(problem_, PartOfStep(lane, part), gravity_[lane]);
     return {part, sense_ * place.value, place.side};
@@ -389,11 +322,10 @@ class Group {
 
   /// Sets the lane to step from where it is to the section, which the step just taken crosses at
   /// `part`.
-  bool Approach(int lane, double part) {
+  void Approach(int lane, double part) {
     lanes_[lane].landing = true;
     start_value_[lane] = 0;  // a step to the section is never a plain one
     length_[lane] *= part;
-    return true;
   }
 
   FastState PartOfStep(int lane, double part) const {

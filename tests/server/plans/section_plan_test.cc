@@ -62,8 +62,8 @@ TEST(SectionPlan, TransientIsTheBeginningOfTheSameOrbit) {
 }
 
 TEST(SectionPlan, StaysAtTheFixedPointOfTheStone) {
-  // O* at 752 is given to 1e-12 and the map errs by 5e-13 an iterate, both of which the next, with a
-  // Jacobian of size 30, makes larger.
+  // O* at 752 is given to 1e-12 and the map errs by 5e-13 an iterate, both of which the next, with
+  // a Jacobian of size 30, makes larger.
   const PlanRun run =
       RunPlan("numerics { engine: ENGINE_FAST tolerance: 1e-13 } section { iterates: 5 }");
   EXPECT_NEAR(At(run, 5).point().l(), 2.147462384985, 1e-10);

@@ -50,5 +50,36 @@ TEST(FindCrossing, TakesEqualValues) {
   EXPECT_TRUE(part >= 0 && part <= 1) << part;
 }
 
+/// (e, side) along a circle around a point, from `start` on by `turn` radians a step.
+auto OnACircle(double start, double turn, double center, double radius) {
+  return [=](double part) {
+    const double angle = start + turn * part;
+    return Look{part, center + radius * std::sin(angle), radius * std::cos(angle)};
+  };
+}
+
+TEST(CrossingPart, IsWhereEGrowsThroughZeroOnTheSectionsSide) {
+  const auto upward = OnACircle(-0.3, 0.8, 0, 1);
+  const auto part = CrossingPart(upward(0), upward(1), upward(0.5), upward);
+  ASSERT_TRUE(part.has_value());
+  EXPECT_NEAR(*part, 0.375, 1e-6);
+  // Downward, and upward half a turn away.
+  const auto downward = OnACircle(0.3, -0.8, 0, 1);
+  EXPECT_FALSE(CrossingPart(downward(0), downward(1), downward(0.5), downward).has_value());
+  const auto away = OnACircle(3.4, -0.8, 0, 1);
+  EXPECT_FALSE(CrossingPart(away(0), away(1), away(0.5), away).has_value());
+}
+
+TEST(CrossingPart, IsFoundWhereEChangesItsSignTwice) {
+  // The circle dips below e = 0 only between −2.02 and −1.12.
+  const auto twice = OnACircle(-2.2, 1.3, 0.9, 1);
+  ASSERT_GT(twice(0).value, 0);
+  ASSERT_GT(twice(1).value, 0);
+  const auto part = CrossingPart(twice(0), twice(1), twice(0.5), twice);
+  ASSERT_TRUE(part.has_value());
+  EXPECT_NEAR(twice(*part).value, 0, 1e-6);
+  EXPECT_GT(twice(*part).side, 0);
+}
+
 }  // namespace
 }  // namespace celt::fast
