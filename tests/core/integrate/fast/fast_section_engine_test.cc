@@ -236,6 +236,37 @@ TEST(FastSectionEngine, CarriesChainsHoweverManyAreLeft) {
   }
 }
 
+/// Counts how many tasks are under way.
+class CountingFeed final : public CrossingFeed {
+ public:
+  explicit CountingFeed(CrossingFeed& feed) : feed_(feed) {}
+  bool Next(CrossingTask& task, int& ticket) override {
+    if (!feed_.Next(task, ticket)) return false;
+    most = std::max(most, ++under_way_);
+    return true;
+  }
+  void Done(int ticket, const absl::Status& status, const Crossing& crossing) override {
+    --under_way_;
+    feed_.Done(ticket, status, crossing);
+  }
+
+  int most = 0;
+
+ private:
+  CrossingFeed& feed_;
+  int under_way_ = 0;
+};
+
+TEST_P(LaneCounts, TakeNoMoreTasksThanTwiceTheirNumber) {
+  ListFeed feed(ReferenceTasks());
+  CountingFeed counting(feed);
+  FastSectionEngine(Stone(), kPi, tolerance(), {.lanes = lanes()})
+      .Run(counting, Direction::kForward, Derivative::kJacobian);
+  // And two to see whether there is one task or several.
+  EXPECT_LE(counting.most, 2 * lanes() + 2);
+  EXPECT_GE(counting.most, lanes());
+}
+
 /// Half a turn of the stone about its vertical axis.
 template <class Columns>
 Columns HalfTurned(Columns columns) {
